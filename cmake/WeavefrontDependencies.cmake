@@ -1,0 +1,25 @@
+# Everything comes from Debian 12's packages; cmake/bootstrap.sh installs them.
+find_package(MPI REQUIRED COMPONENTS CXX)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(yaml-cpp REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+
+# FindHDF5 needs the C language enabled.
+set(HDF5_PREFER_PARALLEL ON)
+find_package(HDF5 REQUIRED COMPONENTS C)
+if(NOT HDF5_IS_PARALLEL)
+    message(FATAL_ERROR "HDF5 found, but without MPI; install libhdf5-openmpi-dev")
+endif()
+target_link_libraries(HDF5::HDF5 INTERFACE MPI::MPI_CXX)
+
+# METIS and udunits2 ship no CMake package.
+foreach(library metis udunits2)
+    find_library(${library}_LIBRARY ${library} REQUIRED)
+    find_path(${library}_INCLUDE_DIR ${library}.h REQUIRED)
+    add_library(${library} INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(${library} INTERFACE ${${library}_LIBRARY})
+    target_include_directories(${library} SYSTEM INTERFACE ${${library}_INCLUDE_DIR})
+endforeach()

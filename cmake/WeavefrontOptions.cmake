@@ -1,0 +1,23 @@
+option(WEAVEFRONT_TESTS "Build the tests" ON)
+option(WEAVEFRONT_WERROR "Treat warnings as errors" ON)
+set(WEAVEFRONT_ARCH native CACHE STRING "Processor to build for, as given to -march: native, x86-64-v3, x86-64-v4")
+set(WEAVEFRONT_SANITIZE "" CACHE STRING "Sanitizers to build with, as given to -fsanitize=")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+add_library(weavefront_options INTERFACE)
+target_compile_features(weavefront_options INTERFACE cxx_std_20)
+target_compile_options(weavefront_options INTERFACE
+    -march=${WEAVEFRONT_ARCH}
+    -ffp-contract=off -fno-math-errno  # same bits from every build; errno of sqrt is never read
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
+    $<$<BOOL:${WEAVEFRONT_WERROR}>:-Werror>)
+if(WEAVEFRONT_SANITIZE)
+    target_compile_options(weavefront_options INTERFACE -fsanitize=${WEAVEFRONT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_link_options(weavefront_options INTERFACE -fsanitize=${WEAVEFRONT_SANITIZE})
+endif()

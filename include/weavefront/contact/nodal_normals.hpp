@@ -1,0 +1,33 @@
+#pragma once
+/// @file
+/// Smoothed normals of the plies.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "weavefront/contact/surface.hpp"
+
+namespace weavefront::contact {
+
+/// Normals of nodes as the area-weighted mean over the facets around them, computed when asked for. The facets around a node add up in
+/// global order, so that every rank that knows them gets the same bits.
+class NodalNormals {
+  public:
+    /// Finds the facets around each node. @param nodes number of local nodes, ghosts included
+    void rebuild(const Surface& surface, std::size_t nodes);
+
+    /// Forgets the normals of the last positions.
+    void new_positions() { ++now_; }
+
+    /// Area-weighted normal, not normalised, m2. Eroded facets do not count.
+    const Vec3& at(std::int32_t node, const Surface& surface, std::span<const Vec3> x);
+
+  private:
+    std::vector<std::int32_t> first_, around_;  ///< facets around a node, ascending global ids
+    std::vector<Vec3> normals_;
+    std::vector<std::int64_t> computed_;
+    std::int64_t now_ = 0;
+};
+
+}  // namespace weavefront::contact

@@ -1,0 +1,54 @@
+#pragma once
+/// @file
+/// Contact between the projectile and the fabric, on the rank that owns the element.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "weavefront/contact/penalty.hpp"
+#include "weavefront/contact/projectile.hpp"
+#include "weavefront/contact/quadrature.hpp"
+#include "weavefront/contact/surface.hpp"
+
+namespace weavefront::contact {
+
+/// Nose position and velocity of the projectile.
+struct ProjectileState {
+    Vec3 position{0, 0, 0};  ///< m
+    Vec3 velocity{0, 0, 0};  ///< m/s
+};
+
+class ProjectileContact {
+  public:
+    /// @param x initial positions, for the integration points, m
+    ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
+                      const Surface& surface, std::span<const Vec3> x);
+
+    /// Chooses the owned facets whose footprint may come under the projectile while no point moves by more than half of `skin` across z.
+    void update_candidates(const Surface& surface, std::span<const Vec3> x, const ProjectileState& projectile, double skin);
+
+    /// Appends the forces at the present positions.
+    /// @param v  velocities over the last step, m/s
+    /// @param dt the last step, s
+    void evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, const ProjectileState& projectile, double dt,
+                  std::vector<PairForce>& forces);
+
+  private:
+    struct Point {
+        Penetration penetration;
+        Side side = Side::none;
+    };
+    [[nodiscard]] PairForce force_on(const Facet& facet, double area, std::span<const Vec3> x, std::span<const Vec3> v,
+                                     const ProjectileState& projectile, double dt, const QuadratureRule& rule,
+                                     std::vector<Point>& points) const;
+
+    std::vector<ProjectileShape> shapes_;  ///< by ply: inflated by its thickness
+    std::vector<PenaltyLaw> laws_;         ///< by ply
+    Quadrature quadrature_;
+    std::vector<std::int32_t> rules_;         ///< of the owned facets
+    std::vector<std::int32_t> candidates_;    ///< owned facets
+    std::vector<std::vector<Point>> points_;  ///< of the owned facets; empty away from the projectile
+};
+
+}  // namespace weavefront::contact

@@ -1,0 +1,47 @@
+#pragma once
+/// @file
+/// Points of an element at which contact is integrated.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "weavefront/contact/lanes.hpp"
+#include "weavefront/mesh/vec3.hpp"
+
+namespace weavefront::contact {
+
+/// Up to eight points of a quad: shape functions and shares of its area. Lanes beyond `count` repeat the last point with no share.
+struct QuadratureBatch {
+    std::array<Lanes, 4> N{};
+    Lanes share{};
+    std::size_t count = 0;
+};
+
+using QuadratureRule = std::vector<QuadratureBatch>;
+
+/// Midpoints of an n x m subdivision; n = 0: the corners, each with a quarter of the area (contact at the nodes).
+QuadratureRule quadrature(int n, int m);
+
+/// Rules of the elements of a mesh: points no farther apart than a spacing in the reference configuration.
+class Quadrature {
+  public:
+    /// @param spacing largest distance between points, m; none: contact at the nodes
+    explicit Quadrature(std::optional<double> spacing) : spacing_(spacing) {}
+
+    /// Index of the rule for an element with these corners (m).
+    std::int32_t rule_for(const std::array<Vec3, 4>& corners);
+
+    [[nodiscard]] const QuadratureRule& rule(std::int32_t index) const { return rules_[static_cast<std::size_t>(index)].points; }
+
+  private:
+    struct Rule {
+        int n, m;
+        QuadratureRule points;
+    };
+    std::optional<double> spacing_;
+    std::vector<Rule> rules_;
+};
+
+}  // namespace weavefront::contact

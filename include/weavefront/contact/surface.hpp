@@ -1,0 +1,80 @@
+#pragma once
+/// @file
+/// The plies as contact sees them on one rank: owned facets and the ghosts around them.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "weavefront/contact/lanes.hpp"
+#include "weavefront/mesh/vec3.hpp"
+
+namespace weavefront::contact {
+
+/// A quad of a ply.
+struct Facet {
+    std::int64_t id = 0;                  ///< global element
+    std::array<std::int32_t, 4> nodes{};  ///< local, counter-clockwise about +z; beyond the owned nodes: ghosts
+    std::int32_t ply = 0;
+};
+
+/// What the plies have in common, by ply.
+struct PlyProperties {
+    double z = 0;              ///< initial height, m
+    double thickness = 0;      ///< contact thickness, m
+    double areal_density = 0;  ///< kg/m2
+};
+
+/// Facets in ascending global order among the owned ones and among the ghosts.
+struct Surface {
+    std::vector<Facet> facets;        ///< owned ones first
+    std::vector<std::uint8_t> alive;  ///< of each facet
+    std::int32_t owned = 0;           ///< number of owned facets
+    std::vector<double> areas;        ///< initial areas of the owned facets, m2
+    std::vector<PlyProperties> plies;
+};
+
+/// Axis-aligned box.
+struct Box {
+    Vec3 low, high;
+
+    static Box around(const Facet& facet, std::span<const Vec3> x) {
+        const auto at = [&](std::size_t a) -> const Vec3& { return x[static_cast<std::size_t>(facet.nodes[a])]; };
+        return {at(0).cwiseMin(at(1)).cwiseMin(at(2).cwiseMin(at(3))), at(0).cwiseMax(at(1)).cwiseMax(at(2).cwiseMax(at(3)))};
+    }
+};
+
+/// Contact forces between one facet and another, or the projectile: summed over the points of the pair, shared out to the nodes.
+struct PairForce {
+    std::array<std::int32_t, 4> slave{}, master{};
+    std::array<Vec3, 4> on_slave, on_master;  ///< N
+    Vec3 total{0, 0, 0};                      ///< on the slave, N; the master, or the projectile, takes the opposite
+    bool on_projectile = false;
+
+    PairForce(const std::array<std::int32_t, 4>& slave_nodes, const std::array<std::int32_t, 4>& master_nodes)
+        : slave(slave_nodes), master(master_nodes) {
+        on_slave.fill(Vec3::Zero());
+        on_master.fill(Vec3::Zero());
+    }
+    /// Fabric against the projectile.
+    explicit PairForce(const std::array<std::int32_t, 4>& slave_nodes) : PairForce(slave_nodes, {}) { on_projectile = true; }
+
+    /// The force at one point of a batch. @param on_slave_point N @param slave_N, master_N shape functions of the two facets
+    void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N, const std::array<Lanes, 4>& master_N, std::size_t lane) {
+        add(on_slave_point, slave_N, lane);
+        for (std::size_t a = 0; a < 4; ++a) on_master[a] -= master_N[a][lane] * on_slave_point;
+    }
+    void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N, std::size_t lane) {
+        for (std::size_t a = 0; a < 4; ++a) on_slave[a] += slave_N[a][lane] * on_slave_point;
+        total += on_slave_point;
+    }
+};
+
+/// Values of the corners of a facet.
+inline std::array<Vec3, 4> corners_of(const std::array<std::int32_t, 4>& nodes, std::span<const Vec3> values) {
+    return {values[static_cast<std::size_t>(nodes[0])], values[static_cast<std::size_t>(nodes[1])],
+            values[static_cast<std::size_t>(nodes[2])], values[static_cast<std::size_t>(nodes[3])]};
+}
+
+}  // namespace weavefront::contact

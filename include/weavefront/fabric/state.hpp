@@ -1,0 +1,86 @@
+#pragma once
+/// @file
+/// The state of a material point (or of eight) and how it is stored.
+
+#include "weavefront/fabric/constants.hpp"
+#include "weavefront/fabric/real.hpp"
+
+namespace weavefront::fabric {
+
+/// State of the cell at the end of a step. A kernel touches only the fields that its features need.
+template <class Real>
+struct State {
+    Real lambda_f = 1.0, lambda_w = 1.0;  ///< stretches of the yarn spans
+    Real cos_2theta = 0.0;                ///< cosine of the angle between the yarns
+    Real phi = 0.0;                       ///< braid angle theta - 45 deg, rad
+    Real h_f = 0.0;                       ///< crossover height of the fill, m; h_w = t/2 - h_f
+    Real sigma_f = 0.0, sigma_w = 0.0;    ///< axial yarn stresses, Pa
+    Real intact_f = 1.0, intact_w = 1.0;  ///< 1, or 0 once the yarn is broken
+
+    Real alpha = 0.0;                         ///< lateral contact factor
+    Real p_f = 0.0, p_w = 0.0;                ///< packing forces across fill and warp (consistent), N/m
+    Real q = 0.0;                             ///< packing moment on the angle 2 theta (consistent), N/m
+    Real sigma_22_f = 0.0, sigma_12_f = 0.0;  ///< lateral and shear stress in the fill's axes (paper), Pa
+    Real sigma_22_w = 0.0, sigma_12_w = 0.0;  ///< in the warp's axes (paper), Pa
+
+    Real friction_moment = 0.0;   ///< M*, elastically stuck or slipping (consistent), N m
+    Real friction_limit = 0.0;    ///< M of the last step (consistent), N m
+    Real friction_stretch = 0.0;  ///< force of the friction stresses on ln lambda of each yarn (paper), N/m
+    Real friction_turn = 0.0;     ///< force of the friction stresses on theta (paper), N/m
+
+    Real N_f = 0.0, N_w = 0.0;  ///< forces conjugate to lambda, without friction, N/m
+    Real m = 0.0;               ///< force conjugate to theta, without friction, N/m
+    Real work = 0.0;            ///< stress work per reference area, without friction, J/m2
+    Real friction_work = 0.0;   ///< work of friction per reference area, J/m2
+};
+
+/// Calls `visit` with each field of `state` that F needs, in the order in which they are stored.
+template <Features F, class AnyState, class Visit>
+WEAVEFRONT_INLINE constexpr void for_each_field(AnyState& state, Visit visit) {
+    const auto all_of = [&visit](auto&... fields) __attribute__((always_inline)) { (visit(fields), ...); };
+    all_of(state.lambda_f, state.lambda_w, state.N_f, state.N_w, state.work);
+    if constexpr (F.follows_angle()) all_of(state.cos_2theta, state.phi);
+    if constexpr (F.paper() || F.lateral) all_of(state.m);
+    if constexpr (F.crimp) all_of(state.h_f);
+    if constexpr (F.viscous) all_of(state.sigma_f, state.sigma_w);
+    if constexpr (F.failure) all_of(state.intact_f, state.intact_w);
+    if constexpr (F.lateral) all_of(state.alpha);
+    if constexpr (F.lateral && !F.paper()) all_of(state.p_f, state.p_w, state.q);
+    if constexpr (F.lateral && F.paper()) all_of(state.sigma_22_f, state.sigma_12_f, state.sigma_22_w, state.sigma_12_w);
+    if constexpr (F.friction) all_of(state.friction_work);
+    if constexpr (F.friction && !F.paper()) all_of(state.friction_moment, state.friction_limit);
+    if constexpr (F.friction && F.paper()) all_of(state.friction_stretch, state.friction_turn);
+}
+
+/// Number of Reals that a stored state of F takes.
+template <Features F>
+[[nodiscard]] constexpr int state_size() {
+    int size = 0;
+    State<double> state;
+    for_each_field<F>(state, [&size](double&) { ++size; });
+    return size;
+}
+
+/// Reads a state. @param from state_size<F>() fields of width<Real> lanes: field i of lane l at [i width + l]; 64-byte aligned for a pack
+template <Features F, class Real>
+[[nodiscard]] WEAVEFRONT_INLINE State<Real> load_state(const double* from) {
+    State<Real> state;
+    for_each_field<F>(
+        state, [&from](Real & field) __attribute__((always_inline)) {
+            field = RealTraits<Real>::load(from);
+            from += width<Real>;
+        });
+    return state;
+}
+
+/// Writes a state, laid out as load_state reads it.
+template <Features F, class Real>
+WEAVEFRONT_INLINE void store_state(const State<Real>& state, double* to) {
+    for_each_field<F>(
+        state, [&to](const Real& field) __attribute__((always_inline)) {
+            RealTraits<Real>::store(field, to);
+            to += width<Real>;
+        });
+}
+
+}  // namespace weavefront::fabric

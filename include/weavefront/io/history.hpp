@@ -1,0 +1,47 @@
+#pragma once
+/// @file
+/// history.csv: the run as a table, one row per output time.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "weavefront/io/rows.hpp"
+#include "weavefront/parallel/communicator.hpp"
+
+namespace weavefront::io {
+
+/// The column names of history.csv, separated by commas.
+std::string history_header();
+
+/// One row as text, 17 significant digits, without the end of the line.
+/// @throws NotFinite naming the column
+std::string history_line(const HistoryRow& row);
+
+/// The growing table. Rank 0 writes whole lines, each handed to the system before `write` returns, so a run killed at any moment leaves
+/// complete rows.
+class History {
+  public:
+    /// Starts the file with its header, replacing one that exists.
+    /// @param path  of the file
+    /// @param comm  ranks of the run; must outlive this object
+    /// @throws FileError on all ranks
+    /// @note Collective
+    History(const std::filesystem::path& path, const parallel::Communicator& comm);
+    ~History();
+    History(History&&) noexcept;
+    History& operator=(History&&) noexcept;
+
+    /// Appends a row.
+    /// @param row  read on rank 0
+    /// @throws NotFinite, FileError on all ranks; nothing of a row that is not finite is written
+    /// @note Collective
+    void write(const HistoryRow& row);
+
+  private:
+    class File;
+    std::unique_ptr<File> file_;
+    const parallel::Communicator* comm_;
+};
+
+}  // namespace weavefront::io

@@ -1,0 +1,73 @@
+#pragma once
+/// @file
+/// What a run hands to the writers, as plain data in SI, for the whole target (also when a symmetric part is modelled).
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace weavefront::io {
+
+/// One row of history.csv; the columns are written in this order.
+struct HistoryRow {
+    double time = 0;
+    std::array<double, 3> projectile{};           ///< position of the nose, m
+    std::array<double, 3> projectile_velocity{};  ///< m/s
+    std::array<double, 3> contact_force{};        ///< of the fabric on the projectile, N
+    double kinetic_fabric = 0;                    ///< J, as all energies
+    double kinetic_projectile = 0;
+    double internal = 0;
+    double hourglass = 0;
+    double contact = 0;   ///< stored and damped in contact
+    double friction = 0;  ///< of yarns
+    double damping = 0;
+    double external = 0;
+    double eroded = 0;              ///< energy that left with eroded elements and is not in another column
+    double energy_error = 0;        ///< closure defect over the initial total energy
+    std::int64_t broken_yarns = 0;  ///< element-directions
+    std::int64_t eroded_elements = 0;
+    double max_displacement = 0;  ///< largest nodal displacement along z, m
+    double time_step = 0;         ///< s
+};
+
+/// The global topology of the results in canonical order, of which each rank passes the part it owns. Every node and every element is
+/// owned by exactly one rank.
+struct Topology {
+    std::int64_t nodes = 0;                                 ///< of the whole fabric
+    std::int64_t elements = 0;                              ///< of the whole fabric
+    std::vector<std::int64_t> owned_nodes;                  ///< global ids, ascending
+    std::vector<std::int64_t> owned_elements;               ///< global ids, ascending
+    std::vector<std::array<std::int64_t, 4>> connectivity;  ///< global node ids of the owned elements
+    std::vector<std::int32_t> ply;                          ///< of the owned elements, 1 = struck first
+};
+
+/// Surface of the projectile, the same on all ranks, relative to its nose. Empty without a projectile.
+struct Surface {
+    std::vector<std::array<double, 3>> points;       ///< m
+    std::vector<std::array<std::int64_t, 4>> quads;  ///< indices into `points`
+};
+
+/// One array of a frame: `values` holds `components` doubles for every owned node (or element), in the order of Topology.
+struct Array {
+    std::string name;
+    int components = 1;
+    bool integer = false;  ///< stored as int8 (flags)
+    std::vector<double> values;
+    std::vector<double> projectile;  ///< what the rigid projectile has throughout, `components` values; empty: zeros
+};
+
+/// One frame of results.vtkhdf.
+struct Frame {
+    double time = 0;
+    std::vector<double> points;  ///< current positions of the owned nodes, xyz xyz ..., m
+    std::vector<Array> point_data;
+    std::vector<Array> cell_data;
+    std::vector<bool> eroded;            ///< of the owned elements: hidden in the pictures
+    std::array<double, 3> projectile{};  ///< position of the nose, m
+};
+
+}  // namespace weavefront::io

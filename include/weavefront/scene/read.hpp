@@ -1,0 +1,43 @@
+#pragma once
+/// @file
+/// Reading and validating a scene file.
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "weavefront/scene/scene.hpp"
+
+namespace weavefront::scene {
+
+/// What the user did wrong, exit status 2. Of a scene: everything at once, one line each: `file:line:column: what was found, what is
+/// allowed[, did you mean ...]`.
+class InputError : public std::runtime_error {
+  public:
+    explicit InputError(std::vector<std::string> messages);
+    [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
+
+  private:
+    std::vector<std::string> messages_;
+};
+
+/// What a command needs of a scene.
+enum class Need { fabrics, impact };
+
+/// Reads a scene file, applies overrides, validates it.
+/// @param path      YAML file
+/// @param overrides `PATH=VALUE` with dots between keys, as given to `--set`
+/// @param need      `impact` demands target, time and output as well; `fabrics` only the fabrics
+/// @throws InputError with every finding at once; std::runtime_error when the file cannot be read
+/// @note Reads a file; in a parallel run one rank reads the text and all call `parse_scene`.
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {}, Need need = Need::impact);
+
+/// The text of a file. @throws std::runtime_error naming the file and the reason when it cannot be read
+std::string read_text(const std::filesystem::path& path);
+
+/// The same from text. @param name stands in the messages where the file name would.
+Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {},
+                  Need need = Need::impact);
+
+}  // namespace weavefront::scene

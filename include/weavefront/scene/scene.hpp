@@ -1,0 +1,150 @@
+#pragma once
+/// @file
+/// The scene as plain structs in SI units. Everything here is data: `read_scene` (scene/read.hpp) fills and validates it, the other modules
+/// only read it.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace weavefront::scene {
+
+/// Which stress and friction the material returns: the work-conjugate one, or sections 1-7 of the paper literally.
+enum class Formulation { consistent, paper };
+
+/// When an element is eroded: as soon as any of its yarns is broken, or when both are.
+enum class Erode { both_yarns, any_yarn };
+
+/// How an edge of the target is held. `fixed`: no displacement; `sliding`: held in z only; `free`: not held.
+enum class Edge { fixed, sliding, free };
+
+/// Yarn geometry of the plain weave.
+struct Yarn {
+    double span = 0;   ///< s, distance between crossovers, m
+    double area = 0;   ///< S, cross-section of a yarn, m2
+    double width = 0;  ///< w, m
+};
+
+/// Three-element viscoelastic yarn, IT04 (14)-(22).
+struct Elastic {
+    double static_modulus = 0;  ///< E1, Pa
+    double hooke_modulus = 0;   ///< Ka > E1, Pa
+    double viscosity = 0;       ///< mu_b, Pa s; 0: sigma = E1 eps
+};
+
+/// Rate-dependent failure, IT04 (19),(20),(22).
+struct Failure {
+    double static_strain = 0;  ///< eps_max, 1
+    double hooke_strain = 0;   ///< eps_a_max, 1
+    Erode erode = Erode::both_yarns;
+};
+
+/// Packed yarns, IT04 (40),(41) and figure 8.
+struct Lateral {
+    double modulus = 0;        ///< E2, Pa
+    double shear_modulus = 0;  ///< G12, Pa
+    double locking_angle = 0;  ///< theta_lock, rad
+    double transition = 0;     ///< Dtheta, rad
+};
+
+/// One woven fabric.
+struct Fabric {
+    std::string name;
+    Formulation formulation = Formulation::consistent;
+    double areal_density = 0;  ///< kg/m2
+    double density = 0;        ///< of the fibre, kg/m3
+    Yarn yarn;
+    double thickness = 0;  ///< t, crimp height of the cell, m; 0: straight yarns
+    Elastic elastic;
+    std::optional<Failure> failure;  ///< absent: nothing breaks
+    std::optional<Lateral> lateral;  ///< absent: an open trellis at every angle
+    double friction = 0;             ///< mu, yarn on yarn, 1; 0: none
+    double transverse_shear = 0;     ///< G23, Pa; 0: none
+    double hourglass = 0.05;         ///< in-plane hourglass stiffness over that of full integration, 1
+    double contact_thickness = 0;    ///< distance at which two such plies touch, m; default: effective thickness
+
+    /// t_e = areal density / fibre density, m.
+    [[nodiscard]] double effective_thickness() const { return areal_density / density; }
+};
+
+/// One layer of fabric.
+struct Ply {
+    std::int32_t fabric = 0;  ///< index into Scene::fabrics
+    double angle = 0;         ///< of the fill yarns to the x axis, rad
+    double spacing = 0;       ///< of its mid-surface from that of the ply before, m; 0 for the first ply
+    double z = 0;             ///< height of the mid-surface, m: the sum of the spacings; the first ply (struck first) is at 0
+};
+
+/// Element sizes of the panel: `center` at the impact point, growing outwards by `growth` an element up to `edge`.
+struct PanelMesh {
+    double center = 0;  ///< m
+    double edge = 0;    ///< m
+    double growth = 1;  ///< 1
+};
+
+/// Rectangular target of any number of plies, centred on the origin of x and y.
+struct Target {
+    std::array<double, 2> size{};  ///< of the whole target, m
+    std::vector<Ply> plies;        ///< in the order in which they are struck
+    PanelMesh mesh;
+    std::array<bool, 2> symmetry{};                       ///< {x, y}: only the half x >= 0 (y >= 0) is modelled
+    std::array<Edge, 2> edges{Edge::fixed, Edge::fixed};  ///< of the edges whose normal is x, y
+};
+
+enum class Shape { sphere, cylinder };
+
+/// Rigid projectile; its axis is z, it translates.
+struct Projectile {
+    Shape shape = Shape::cylinder;
+    double diameter = 0;               ///< m
+    double edge_radius = 0;            ///< of the cylinder's rims, m
+    double length = 0;                 ///< of the cylinder, m; default: that of a steel cylinder (7850 kg/m3) of this mass
+    double mass = 0;                   ///< kg
+    std::array<double, 3> position{};  ///< of the foremost point of its nose on the axis, m; default: touching the first ply
+    std::array<double, 3> velocity{};  ///< m/s
+};
+
+/// Penalty contact with hysteresis; stiffness per area is a property of the fabric.
+struct ContactLaw {
+    double stiffness = 0;   ///< pressure per penetration while loading, Pa/m
+    double unloading = 10;  ///< unloading slope over loading slope, >= 1; 1: elastic
+    double damping = 0;     ///< fraction of critical damping
+};
+
+struct Contact {
+    std::optional<double> spacing = 0.25e-3;  ///< integration points of an element at most this far apart, m; absent: at its nodes
+    std::optional<ContactLaw> projectile;
+    std::optional<ContactLaw> plies;
+};
+
+/// What the results file holds beside the ply number; all are point or cell arrays of results.vtkhdf.
+enum class Field { displacement, velocity, strain, stress, braid_angle, crimp, broken };
+
+struct Output {
+    double interval = 0;  ///< between frames of results.vtkhdf, s; 0: first and last only
+    double history = 0;   ///< between rows of history.csv, s
+    std::vector<Field> fields;
+};
+
+struct Scene {
+    std::string title;
+    std::vector<Fabric> fabrics;
+    std::optional<Target> target;  ///< absent: only `cell` and `yarn` can use the scene
+    std::optional<Projectile> projectile;
+    Contact contact;
+    double damping = 0;  ///< mass-proportional, 1/s
+    struct Time {
+        double end = 0;       ///< s
+        double safety = 0.9;  ///< time step over its bound
+    } time;
+    struct Limits {
+        double energy_error = 0.05;  ///< the run stops when |closure defect| / initial energy passes this
+    } limits;
+    Output output;
+    std::string resolved;  ///< the scene as YAML with every default written out, SI
+    std::string hash;      ///< 16 hex digits (FNV-1a 64) of `resolved`
+};
+
+}  // namespace weavefront::scene

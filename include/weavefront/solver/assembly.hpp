@@ -1,0 +1,53 @@
+#pragma once
+/// @file
+/// Nodal forces as sums that do not depend on their order.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "weavefront/contact/surface.hpp"
+#include "weavefront/parallel/fixed_point.hpp"
+#include "weavefront/shell/element_group.hpp"
+#include "weavefront/solver/nodes.hpp"
+
+namespace weavefront::solver {
+
+/// Adds element and contact forces to the nodes. The last share of every element and of every pair in contact is minus the integer sum of
+/// the others, so internal forces add up to exactly nothing.
+class Assembly {
+  public:
+    Assembly() = default;
+    /// @param largest_force that a single element or pair in contact is expected to exert, N
+    explicit Assembly(double largest_force) : scale_(largest_force) {}
+
+    /// Clears the sums and the list of faults.
+    void start(std::vector<FixedVector>& sums);
+
+    /// Forces of consecutive packs of a group, as ElementGroup::advance leaves them.
+    void add_packs(const shell::ElementGroup& group, std::int32_t first, std::int32_t count, std::span<const double> forces,
+                   std::vector<FixedVector>& sums);
+
+    /// A pair in contact; what it exerts on the projectile is added to `on_projectile`.
+    void add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums, FixedVector& on_projectile);
+
+    /// Local element whose force was not finite or out of range since `start`, or -1.
+    [[nodiscard]] std::int32_t faulty_element() const { return faulty_element_; }
+    /// True when a contact force was not finite or out of range.
+    [[nodiscard]] bool faulty_contact() const { return faulty_contact_; }
+
+    [[nodiscard]] Vec3 value(const FixedVector& sum) const { return {scale_.to(sum[0]), scale_.to(sum[1]), scale_.to(sum[2])}; }
+    [[nodiscard]] const parallel::FixedPoint& scale() const { return scale_; }
+
+  private:
+    void add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces, std::size_t lane,
+                  std::vector<FixedVector>& sums, std::int32_t element);
+    void share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces, const FixedVector& total,
+               std::vector<FixedVector>& sums) const;
+
+    parallel::FixedPoint scale_;
+    std::int32_t faulty_element_ = -1;
+    bool faulty_contact_ = false;
+};
+
+}  // namespace weavefront::solver

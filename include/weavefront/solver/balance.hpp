@@ -1,0 +1,38 @@
+#pragma once
+/// @file
+/// The energy ledger and the motion at one time.
+
+#include <cstdint>
+
+#include "weavefront/mesh/vec3.hpp"
+
+namespace weavefront::solver {
+
+/// Everything refers to the whole target, also when a symmetric part is modelled. Energies in J.
+///
+/// Work is counted as the trapezoid of the forces over each step. With the kinetic energy taken as m v(n-1/2).(v(n-1/2) + a(n) dt)/2
+/// the sum of all columns then stays constant to rounding as far as each column counts what the nodal forces do; the ledger counts what
+/// the yarns, the hourglass potential and the contact points do, so the defect tests the kernel, not the bookkeeping.
+struct Balance {
+    double time = 0;
+    Vec3 projectile{0, 0, 0}, projectile_velocity{0, 0, 0}, contact_force{0, 0, 0};  ///< m, m/s, N on the projectile
+    double kinetic_fabric = 0, kinetic_projectile = 0;
+    double internal = 0;   ///< work done on the yarns and on their packing, stored or not
+    double hourglass = 0;  ///< potential of the hourglass modes and of warping
+    double contact = 0;    ///< stored and damped in contact
+    double friction = 0;   ///< of the yarns
+    double damping = 0;
+    double external = 0;  ///< done by supports: none of them moves
+    double eroded = 0;    ///< hourglass potential lost with eroded elements
+    double energy_error = 0;
+    std::int64_t broken_yarns = 0, eroded_elements = 0;
+    double max_displacement = 0;  ///< along z, m
+    double time_step = 0;         ///< s
+
+    /// What must stay constant, J.
+    [[nodiscard]] double total() const {
+        return kinetic_fabric + kinetic_projectile + internal + hourglass + contact + friction + damping + eroded - external;
+    }
+};
+
+}  // namespace weavefront::solver

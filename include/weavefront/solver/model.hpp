@@ -1,0 +1,58 @@
+#pragma once
+/// @file
+/// Everything that one rank computes with.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "weavefront/contact/ply_contact.hpp"
+#include "weavefront/contact/projectile_contact.hpp"
+#include "weavefront/mesh/panel.hpp"
+#include "weavefront/parallel/communicator.hpp"
+#include "weavefront/partition/decomposition.hpp"
+#include "weavefront/partition/halo_plan.hpp"
+#include "weavefront/scene/scene.hpp"
+#include "weavefront/shell/element_group.hpp"
+#include "weavefront/solver/assembly.hpp"
+#include "weavefront/solver/ghosts.hpp"
+#include "weavefront/solver/nodes.hpp"
+
+namespace weavefront::solver {
+
+/// Where an element stands among the groups.
+struct ElementPlace {
+    std::int32_t group = 0, index = 0;
+};
+
+/// The global size and the ids by which results are ordered.
+struct GlobalIds {
+    std::int64_t nodes = 0, elements = 0;
+    std::vector<std::int64_t> element_ids;  ///< of the owned elements, ascending
+};
+
+/// What a scene does not ask for is an empty list or an empty optional here.
+struct Model {
+    Nodes nodes;
+    std::vector<std::unique_ptr<shell::ElementGroup>> groups;  ///< one a fabric
+    std::vector<ElementPlace> places;                          ///< of the owned elements
+    contact::Surface surface;
+    partition::HaloPlan halo;
+    Links links;
+    Assembly assembly;
+    GlobalIds global;
+    double smallest_edge = 0;  ///< of all elements, m
+    std::optional<contact::ProjectileState> projectile;
+    std::optional<contact::ProjectileContact> projectile_contact;
+    std::optional<contact::PlyContact> ply_contact;
+
+    [[nodiscard]] std::size_t bytes() const;
+};
+
+/// Partitions the target on rank 0 and builds this rank's part of it.
+/// @throws std::invalid_argument when there are more ranks than columns
+/// @note Collective
+Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm);
+
+}  // namespace weavefront::solver

@@ -1,0 +1,99 @@
+#pragma once
+/// @file
+/// The explicit time integration of an impact.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "weavefront/mesh/panel.hpp"
+#include "weavefront/parallel/communicator.hpp"
+#include "weavefront/scene/scene.hpp"
+#include "weavefront/solver/balance.hpp"
+#include "weavefront/solver/model.hpp"
+#include "weavefront/solver/phases.hpp"
+
+namespace weavefront::solver {
+
+/// What is counted on the way, of this rank's elements, not multiplied by symmetry.
+struct Counts {
+    std::int64_t broken_yarns = 0, eroded_elements = 0;
+    std::vector<double> first_break;   ///< by ply, s; largest double: none
+    std::int64_t inverted = 0;         ///< elements found turned over, at the checks
+    double lowest_contact_energy = 0;  ///< J, over the rows: below zero contact gave energy
+};
+
+/// Central differences: `advance_forces` completes the state at the present time (forces from the positions), `integrate` moves on to the
+/// next. Between the two the state may be observed.
+class Simulation {
+  public:
+    /// @note Collective, as all functions that are not const, and `balance`
+    Simulation(const scene::Scene& scene, const parallel::Communicator& comm);
+
+    /// Elements, contact, halo sum, time step.
+    /// @throws GuardStop on all ranks when a force is not finite or out of range
+    void advance_forces();
+
+    /// Velocities, positions, contact work, erosion, ghosts.
+    void integrate();
+
+    /// Energies and motion now; between advance_forces and integrate. @note Collective
+    [[nodiscard]] Balance balance();
+
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] double time_step() const { return dt_; }
+    [[nodiscard]] std::int64_t steps() const { return steps_; }
+    [[nodiscard]] const Model& model() const { return model_; }
+    [[nodiscard]] Model& model() { return model_; }
+    [[nodiscard]] const mesh::Panel& panel() const { return panel_; }
+    [[nodiscard]] const Counts& counts() const { return counts_; }
+    [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
+    /// Position of the projectile's nose at the start, m.
+    [[nodiscard]] const Vec3& initial_projectile() const { return initial_projectile_; }
+    /// Strains, stresses, ... of an owned element.
+    [[nodiscard]] shell::ElementOutput element_output(std::int32_t element) const;
+
+  private:
+    void advance_elements();
+    void evaluate_contact();
+    void sum_over_ranks();
+    void adapt_time_step();
+    void move_nodes();
+    void update_candidates();
+    void note(const shell::Events& events);
+    void count_contact_work(double dt);  // of half a step
+    [[noreturn]] void stop_at_fault() const;
+    [[nodiscard]] bool moved_far() const;
+    [[nodiscard]] Vec3 whole_force(const FixedVector& on_part) const;
+    [[nodiscard]] Vec3 acceleration(std::size_t node) const;
+    [[nodiscard]] Vec3 next_velocity(std::size_t node) const;
+    [[nodiscard]] double damping_work(std::size_t node, const Vec3& next, double backward, double forward) const;
+
+    scene::Scene scene_;
+    const parallel::Communicator& comm_;
+    PhaseSeconds seconds_{};
+    mesh::Panel panel_;
+    Model model_;
+    double multiplicity_;
+
+    double time_ = 0, dt_ = 0, last_dt_ = 0;  // last_dt_: from the last state to this one
+    std::int64_t steps_ = 0;
+    double contact_frequency_squared_ = 0;
+
+    FixedVector on_projectile_{};
+    Vec3 projectile_force_{0, 0, 0}, initial_projectile_{0, 0, 0};
+    std::vector<contact::PairForce> pairs_;
+    shell::AlignedVector<double> pack_forces_;
+
+    bool candidates_outdated_ = true;
+    std::vector<Vec3> candidate_positions_;  // of the nodes when candidates were last chosen
+    Vec3 candidate_projectile_{0, 0, 0};
+    std::vector<std::int32_t> just_eroded_;
+
+    parallel::FixedPoint energy_;
+    std::int64_t contact_work_ = 0, damping_work_ = 0, eroded_work_ = 0, eroded_friction_ = 0, eroded_hourglass_ = 0;  // of energy_
+    double initial_energy_ = 0;
+    Counts counts_;
+};
+
+}  // namespace weavefront::solver

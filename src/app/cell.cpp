@@ -1,0 +1,102 @@
+#include "weavefront/fabric/cell.hpp"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "chosen_fabric.hpp"
+#include "commands.hpp"
+#include "csv_table.hpp"
+#include "deformation_path.hpp"
+
+namespace weavefront::app {
+namespace {
+
+struct Options {
+    std::filesystem::path scene, path, out;
+    std::string fabric;
+};
+
+constexpr const char* header =
+    "time,lambda_fill,lambda_warp,theta,h_fill,strain_fill,strain_warp,stress_fill,stress_warp,contact_factor,stress_xx,stress_yy,stress_"
+    "xy,"
+    "broken_fill,broken_warp";
+
+/// What the kernel asks of a deformation: stretches of the yarns and cosine of the angle between them.
+struct Kinematics {
+    double lambda_f, lambda_w, cos_2theta;
+};
+
+Kinematics kinematics(const Deformation& d) {
+    const double lambda_f = std::hypot(d.F11, d.F21), lambda_w = std::hypot(d.F12, d.F22);
+    // the columns of F are the convected yarn vectors
+    return {lambda_f, lambda_w, d.F11 / lambda_f * (d.F12 / lambda_w) + d.F21 / lambda_f * (d.F22 / lambda_w)};
+}
+
+template <fabric::Features F>
+std::array<double, 15> row(const fabric::Constants& c, double time, const fabric::State<double>& state, const Kinematics& k,
+                           const fabric::Response<double>& response) {
+    const fabric::Trellis<double> trellis = fabric::trellis_of(k.cos_2theta);
+    const fabric::YarnState<double> yarns = fabric::yarn_state<F>(c, state);
+    // Cauchy stress from the Kirchhoff resultant t_e tau
+    const double thickness = c.effective_thickness * k.lambda_f * k.lambda_w * trellis.sin_2theta;
+    return {time,
+            k.lambda_f,
+            k.lambda_w,
+            std::numbers::pi / 4 + fabric::angle_from_45(trellis),
+            state.h_f,
+            yarns.eps_f,
+            yarns.eps_w,
+            yarns.sigma_f,
+            yarns.sigma_w,
+            state.alpha,
+            response.T_xx / thickness,
+            response.T_yy / thickness,
+            response.T_xy / thickness,
+            1 - state.intact_f,
+            1 - state.intact_w};
+}
+
+template <fabric::Features F>
+CsvTable deform(const fabric::Constants& c, const fabric::Features& features, const std::vector<Deformation>& path) {
+    CsvTable table(header);
+    fabric::State<double> state = fabric::initial_state<F, double>(c);
+    table.add(row<F>(c, path.front().time, state, kinematics(path.front()), {}));
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const fabric::Step step = fabric::step_of(c, features, path[i].time - path[i - 1].time);
+        const Kinematics k = kinematics(path[i]);
+        const fabric::Response<double> response = fabric::advance<F>(c, step, state, k.lambda_f, k.lambda_w, k.cos_2theta);
+        table.add(row<F>(c, path[i].time, state, k, response));
+    }
+    return table;
+}
+
+void cell(const Options& options) {
+    const scene::Fabric fabric = chosen_fabric(options.scene, options.fabric);
+    const std::vector<Deformation> path = read_deformation_path(options.path);
+    const fabric::Constants constants = fabric::constants_of(fabric);
+    const fabric::Features features = fabric::features_of(fabric);
+    fabric::with_features(features, [&]<fabric::Features F>() { return deform<F>(constants, features, path); }).write(options.out);
+}
+
+}  // namespace
+
+void add_cell(CLI::App& app) {
+    auto* command = app.add_subcommand("cell", "Take one material point through a prescribed deformation");
+    auto options = std::make_shared<Options>();
+    command->add_option("SCENE", options->scene, "Scene file (YAML); only its fabrics are read")->required();
+    command
+        ->add_option("--path", options->path,
+                     "CSV with the columns time,F11,F12,F21,F22: deformation gradient in the initial yarn axes (1 fill, 2 warp), "
+                     "first row the identity, one material step a row")
+        ->required();
+    command->add_option("--out", options->out, "CSV to write, SI units, stresses in the bisector frame of the yarns")->required();
+    command->add_option("--fabric", options->fabric, "Name of the fabric, where the scene has several");
+    command->callback([options] { cell(*options); });
+}
+
+}  // namespace weavefront::app

@@ -1,0 +1,30 @@
+#pragma once
+/// @file
+/// A table written as CSV.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace weavefront::app {
+
+/// Rows of numbers under a header, gathered in memory and written as a whole or not at all.
+class CsvTable {
+  public:
+    /// @param header column names, separated by commas
+    explicit CsvTable(std::string_view header);
+
+    /// Adds a row. @param values one per column, written with 17 significant digits, which give back the same doubles
+    /// @throws std::runtime_error when one is not finite
+    void add(std::span<const double> values);
+
+    /// Writes the table under a temporary name and renames it.
+    /// @throws std::runtime_error naming the file when it cannot be written
+    void write(const std::filesystem::path& path) const;
+
+  private:
+    std::string text_;
+};
+
+}  // namespace weavefront::app

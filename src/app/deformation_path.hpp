@@ -1,0 +1,22 @@
+#pragma once
+/// @file
+/// A prescribed deformation of one material point.
+
+#include <filesystem>
+#include <vector>
+
+namespace weavefront::app {
+
+/// Deformation gradient in the initial yarn axes, 1 fill and 2 warp, at a time.
+struct Deformation {
+    double time = 0;  ///< s
+    double F11 = 1, F12 = 0, F21 = 0, F22 = 1;
+
+    [[nodiscard]] double determinant() const { return F11 * F22 - F12 * F21; }
+};
+
+/// Reads a CSV file with the columns time,F11,F12,F21,F22; its first row is the identity, times increase.
+/// @throws scene::InputError with every finding as file:line:column; std::runtime_error when the file cannot be read
+[[nodiscard]] std::vector<Deformation> read_deformation_path(const std::filesystem::path& path);
+
+}  // namespace weavefront::app

@@ -1,0 +1,110 @@
+#include "frames.hpp"
+
+#include <cmath>
+#include <functional>
+
+namespace weavefront::app {
+
+namespace {
+
+double finite(double value) { return std::isfinite(value) ? value : 0; }
+
+/// The local indices of the nodes that this rank owns.
+std::vector<std::size_t> owned_nodes(const solver::Nodes& nodes) {
+    std::vector<std::size_t> owned;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n)
+        if (nodes.owned[n]) owned.push_back(n);
+    return owned;
+}
+
+struct CellField {
+    scene::Field field;
+    const char* name;
+    bool integer;
+    std::function<double(const shell::ElementOutput&)> value;
+};
+
+const std::vector<CellField>& cell_fields() {
+    using scene::Field;
+    using Output = const shell::ElementOutput&;
+    static const std::vector<CellField> fields{
+        {Field::strain, "strain_fill", false, [](Output o) { return o.strain_fill; }},
+        {Field::strain, "strain_warp", false, [](Output o) { return o.strain_warp; }},
+        {Field::stress, "stress_fill", false, [](Output o) { return o.stress_fill; }},
+        {Field::stress, "stress_warp", false, [](Output o) { return o.stress_warp; }},
+        {Field::braid_angle, "braid_angle", false, [](Output o) { return o.braid_angle; }},
+        {Field::crimp, "crimp_height", false, [](Output o) { return o.crimp_height; }},
+        {Field::broken, "broken_fill", true, [](Output o) { return o.broken_fill ? 1.0 : 0.0; }},
+        {Field::broken, "broken_warp", true, [](Output o) { return o.broken_warp ? 1.0 : 0.0; }},
+    };
+    return fields;
+}
+
+bool wanted(const std::vector<scene::Field>& fields, scene::Field field) {
+    return std::find(fields.begin(), fields.end(), field) != fields.end();
+}
+
+}  // namespace
+
+io::Topology topology_of(const solver::Simulation& simulation) {
+    const auto& model = simulation.model();
+    io::Topology topology{model.global.nodes, model.global.elements, {}, model.global.element_ids, {}, {}};
+    for (const auto n : owned_nodes(model.nodes)) topology.owned_nodes.push_back(model.nodes.ids[n]);
+    for (std::size_t e = 0; e < model.global.element_ids.size(); ++e) {
+        const auto& facet = model.surface.facets[e];
+        std::array<std::int64_t, 4> corners{};
+        for (std::size_t a = 0; a < 4; ++a) corners[a] = model.nodes.ids[static_cast<std::size_t>(facet.nodes[a])];
+        topology.connectivity.push_back(corners);
+        topology.ply.push_back(facet.ply + 1);
+    }
+    return topology;
+}
+
+io::Frame frame_of(const solver::Simulation& simulation, const std::vector<scene::Field>& fields) {
+    const auto& model = simulation.model();
+    const auto& nodes = model.nodes;
+    const auto owned = owned_nodes(nodes);
+    io::Frame frame;
+    frame.time = simulation.time();
+    const auto vectors = [&](auto value) {
+        std::vector<double> values;
+        values.reserve(3 * owned.size());
+        for (const auto n : owned) {
+            const Vec3 vector = value(n);
+            values.insert(values.end(), {finite(vector.x()), finite(vector.y()), finite(vector.z())});
+        }
+        return values;
+    };
+    frame.points = vectors([&](std::size_t n) { return nodes.x[n]; });
+    Vec3 travel = Vec3::Zero(), velocity = Vec3::Zero();
+    if (model.projectile) {
+        const auto& p = *model.projectile;
+        frame.projectile = {p.position.x(), p.position.y(), p.position.z()};
+        travel = p.position - simulation.initial_projectile();
+        velocity = p.velocity;
+    }
+    if (wanted(fields, scene::Field::displacement))
+        frame.point_data.push_back({"displacement",
+                                    3,
+                                    false,
+                                    vectors([&](std::size_t n) -> Vec3 { return nodes.x[n] - nodes.initial[n]; }),
+                                    {travel.x(), travel.y(), travel.z()}});
+    if (wanted(fields, scene::Field::velocity))
+        frame.point_data.push_back(
+            {"velocity", 3, false, vectors([&](std::size_t n) { return nodes.v[n]; }), {velocity.x(), velocity.y(), velocity.z()}});
+
+    std::vector<CellField> cells;
+    for (const auto& field : cell_fields())
+        if (wanted(fields, field.field)) cells.push_back(field);
+    for (const auto& field : cells) frame.cell_data.push_back({field.name, 1, field.integer, {}, {}});
+    for (std::size_t e = 0; e < model.places.size(); ++e) {
+        const auto place = model.places[e];
+        frame.eroded.push_back(!model.groups[static_cast<std::size_t>(place.group)]->alive(place.index));
+        if (cells.empty()) continue;
+        const auto output = simulation.element_output(static_cast<std::int32_t>(e));
+        for (std::size_t c = 0; c < cells.size(); ++c) frame.cell_data[c].values.push_back(finite(cells[c].value(output)));
+    }
+    return frame;
+}
+
+}  // namespace weavefront::app

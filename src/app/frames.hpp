@@ -1,0 +1,19 @@
+#pragma once
+/// @file
+/// From the solver's state to the frames of results.vtkhdf.
+
+#include <vector>
+
+#include "weavefront/io/rows.hpp"
+#include "weavefront/solver/simulation.hpp"
+
+namespace weavefront::app {
+
+/// The part of the topology that this rank owns.
+io::Topology topology_of(const solver::Simulation& simulation);
+
+/// The present state, with the fields that the scene asks for. A number that is not finite, as a run stopped by the guard may hold, becomes
+/// zero: it never reaches a file.
+io::Frame frame_of(const solver::Simulation& simulation, const std::vector<scene::Field>& fields);
+
+}  // namespace weavefront::app

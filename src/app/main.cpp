@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "usage.hpp"
+#include "weavefront/scene/read.hpp"
+
+namespace {
+
+using namespace weavefront;
+
+enum Status : int { done = 0, stopped = 1, bad_input = 2, system_error = 3 };
+
+// All ranks of a run reach `main`'s end alike, some of them without MPI; the launcher's environment tells the first one.
+bool is_first_rank() {
+    for (const char* variable : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"}) {
+        const char* rank = std::getenv(variable);
+        if (rank != nullptr) return std::string(rank) == "0";
+    }
+    return true;
+}
+
+Status report(Status status, const std::vector<std::string>& messages) {
+    // The launcher kills the first rank, perhaps before it has printed, when another one fails; what all ranks find alike is its to tell.
+    if (!is_first_rank()) return status == system_error ? status : done;
+    for (const std::string& message : messages) fmt::print(stderr, "weavefront: error: {}\n", message);
+    return status;
+}
+
+void add_commands(CLI::App& app) {
+    app.set_version_flag("--version", "weavefront " WEAVEFRONT_VERSION);
+    app.footer("Exit status: 0 done, 1 stopped by the physics or numerics guard, 2 bad input or usage, 3 system error.");
+    app.require_subcommand(1);
+    app::add_run(app);
+    app::add_check(app);
+    app::add_cell(app);
+    app::add_yarn(app);
+}
+
+Status run(CLI::App& app, int argc, char** argv) {
+    try {
+        app::refuse_unknown(app, std::vector<std::string>(argv + 1, argv + argc));
+        app.parse(argc, argv);
+        return done;
+    } catch (const CLI::ParseError& error) {
+        const bool served = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help, --version
+        if (!served) return report(bad_input, {std::string(error.what()) + " (see weavefront --help)"});
+        if (is_first_rank()) app.exit(error);
+        return done;
+    } catch (const scene::InputError& error) {
+        return report(bad_input, error.messages());
+    } catch (const app::GuardStop& stop) {
+        return report(stopped, {stop.what()});
+    } catch (const std::exception& error) {
+        return report(system_error, {error.what()});
+    } catch (...) {
+        return report(system_error, {"unknown exception"});
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Ballistic impact on woven-fabric armour", "weavefront");
+    add_commands(app);
+    return run(app, argc, argv);
+}

@@ -1,0 +1,157 @@
+#include "run_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <limits>
+
+#include "left_out.hpp"
+#include "versions.hpp"
+#include "weavefront/io/progress.hpp"
+#include "weavefront/io/summary.hpp"
+#include "weavefront/parallel/all_to_all.hpp"
+
+namespace weavefront::app {
+
+namespace {
+
+std::array<double, 3> array_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<io::PhaseTime> phase_times(const solver::PhaseSeconds& seconds, const parallel::Communicator& comm) {
+    const auto all = parallel::all_gather(comm, seconds);
+    std::vector<io::PhaseTime> times;
+    for (std::size_t p = 0; p < seconds.size(); ++p) {
+        io::PhaseTime time{std::string(solver::phase_names[p]), std::numeric_limits<double>::max(), 0, 0};
+        for (const auto& rank : all) {
+            time.min = std::min(time.min, rank[p]);
+            time.mean += rank[p] / static_cast<double>(all.size());
+            time.max = std::max(time.max, rank[p]);
+        }
+        times.push_back(time);
+    }
+    return times;
+}
+
+/// Time of the first broken yarn of each ply over the ranks; none where all are whole.
+std::vector<std::optional<double>> first_breaks(const solver::Counts& counts, const parallel::Communicator& comm) {
+    std::vector<std::optional<double>> times;
+    for (const double local : counts.first_break) {
+        const double first = comm.min(local);
+        times.push_back(first < std::numeric_limits<double>::max() ? std::optional(first) : std::nullopt);
+    }
+    return times;
+}
+
+}  // namespace
+
+io::HistoryRow row_of(const solver::Balance& b) {
+    io::HistoryRow row;
+    row.time = b.time;
+    row.projectile = array_of(b.projectile);
+    row.projectile_velocity = array_of(b.projectile_velocity);
+    row.contact_force = array_of(b.contact_force);
+    row.kinetic_fabric = b.kinetic_fabric;
+    row.kinetic_projectile = b.kinetic_projectile;
+    row.internal = b.internal;
+    row.hourglass = b.hourglass;
+    row.contact = b.contact;
+    row.friction = b.friction;
+    row.damping = b.damping;
+    row.external = b.external;
+    row.eroded = b.eroded;
+    row.energy_error = b.energy_error;
+    row.broken_yarns = b.broken_yarns;
+    row.eroded_elements = b.eroded_elements;
+    row.max_displacement = b.max_displacement;
+    row.time_step = b.time_step;
+    return row;
+}
+
+RunReport::RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log) : scene_(scene), comm_(comm), log_(log) {}
+
+void RunReport::start(const solver::Simulation& simulation) {
+    computing_ = std::chrono::steady_clock::now();
+    const auto& model = simulation.model();
+    std::array<std::int64_t, 1> bytes{static_cast<std::int64_t>(model.bytes())};
+    comm_.sum(bytes);
+    const auto& panel = simulation.panel();
+    log_.info(fmt::format("Weavefront {}: {}", WEAVEFRONT_VERSION, scene_.title));
+    log_.info("  units         SI in all files (m, kg, s, N, J, Pa); this log says its own");
+    log_.info(fmt::format("  mesh          {} plies of {} x {} columns: {} elements, {} nodes{}", panel.plies.size(), panel.columns_x(),
+                          panel.columns_y(), panel.elements(), panel.nodes(),
+                          panel.multiplicity() > 1 ? fmt::format(" (1/{} of the target)", panel.multiplicity()) : ""));
+    for (const auto& fabric : scene_.fabrics)
+        log_.info(fmt::format("  fabric        {}: {} formulation, {:.4g} g/m2, t_e = {:.4g} mm", fabric.name,
+                              fabric.formulation == scene::Formulation::consistent ? "consistent" : "paper", fabric.areal_density * 1e3,
+                              fabric.effective_thickness() * 1e3));
+    if (scene_.projectile)
+        log_.info(fmt::format("  projectile    {} of {:.4g} g, {:.4g} mm across, {:.6g} m/s",
+                              scene_.projectile->shape == scene::Shape::sphere ? "sphere" : "cylinder", scene_.projectile->mass * 1e3,
+                              scene_.projectile->diameter * 1e3, model.projectile->velocity.norm()));
+    log_.info(fmt::format("  ranks         {}, {:.1f} MB in all for mesh and fabric", comm_.size(), static_cast<double>(bytes[0]) / 1e6));
+    log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us", simulation.time_step() * 1e9,
+                          scene_.time.end / simulation.time_step(), scene_.time.end * 1e6));
+    for (const auto& phrase : left_out(scene_, comm_.size())) log_.info("  left out      " + phrase);
+}
+
+std::string RunReport::projectile_text(const solver::Simulation& simulation) {
+    const auto& projectile = simulation.model().projectile;
+    return projectile ? fmt::format("projectile {:.1f} m/s", projectile->velocity.z()) : "";
+}
+
+void RunReport::finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,
+                       const std::filesystem::path& directory) {
+    io::Summary summary;
+    const double computed = seconds_since(computing_);
+    simulation.seconds()[static_cast<std::size_t>(solver::Phase::setup)] = seconds_since(begin_) - computed;
+    summary.status = stopped ? "stopped" : "finished";
+    summary.reason = stopped.value_or("end time reached");
+    summary.versions = library_versions();
+    summary.scene_hash = scene_.hash;
+    summary.title = scene_.title;
+    summary.ranks = comm_.size();
+    summary.elements = simulation.panel().elements();
+    summary.nodes = simulation.panel().nodes();
+    summary.steps = simulation.steps();
+    summary.time = simulation.time();
+    summary.wall_seconds = phase_times(simulation.seconds(), comm_);
+    summary.element_steps = summary.elements * summary.steps;
+    const double wall = comm_.max(computed);
+    summary.nanoseconds_per_element_step =
+        wall * 1e9 * comm_.size() / static_cast<double>(std::max<std::int64_t>(summary.element_steps, 1));
+    if (scene_.projectile) summary.residual_velocity = last.projectile_velocity.z();
+    summary.max_displacement = last.max_displacement;
+    summary.energy_error = last.energy_error;
+    summary.broken_yarns = last.broken_yarns;
+    summary.eroded_elements = last.eroded_elements;
+    summary.first_break = first_breaks(simulation.counts(), comm_);
+    summary.left_out = left_out(scene_, comm_.size());
+    std::array<std::int64_t, 1> inverted{simulation.counts().inverted};
+    comm_.sum(inverted);
+
+    log_.info(fmt::format("{} at t = {:.6g} us after {} steps: {}", stopped ? "Stopped" : "Finished", summary.time * 1e6, summary.steps,
+                          summary.reason));
+    if (summary.residual_velocity)
+        log_.info(fmt::format("  projectile    {:.2f} m/s along z, largest displacement {:.3f} mm", *summary.residual_velocity,
+                              last.max_displacement * 1e3));
+    log_.info(
+        fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded", last.broken_yarns, last.eroded_elements));
+    log_.info(fmt::format("  energy        closes within {:.3g} % of the initial energy, hourglass {:.3g} J, contact {:.3g} J",
+                          last.energy_error * 100, last.hourglass, last.contact));
+    if (simulation.counts().lowest_contact_energy < 0)
+        log_.warn(fmt::format("contact gave energy: its work went down to {:.3g} J", simulation.counts().lowest_contact_energy));
+    if (inverted[0] > 0) log_.warn(fmt::format("up to {} elements at a time were folded over themselves", inverted[0]));
+    for (const auto& phase : summary.wall_seconds)
+        log_.info(fmt::format("  {:<13} {:.2f} / {:.2f} / {:.2f} s (least, mean, most over the ranks)", phase.name, phase.min, phase.mean,
+                              phase.max));
+    log_.info(fmt::format("  cost          {} in all, {:.1f} ns per element-step and core", io::duration_text(seconds_since(begin_)),
+                          summary.nanoseconds_per_element_step));
+    log_.info("  results       " + directory.string());
+    io::write_summary(directory / "summary.json", summary, comm_);
+}
+
+}  // namespace weavefront::app

@@ -1,0 +1,42 @@
+#pragma once
+/// @file
+/// What a run says of itself: at the start, in its history and at the end.
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "weavefront/io/log.hpp"
+#include "weavefront/io/rows.hpp"
+#include "weavefront/scene/scene.hpp"
+#include "weavefront/solver/simulation.hpp"
+
+namespace weavefront::app {
+
+/// A balance as a row of history.csv.
+io::HistoryRow row_of(const solver::Balance& balance);
+
+class RunReport {
+  public:
+    RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log);
+
+    /// What is computed and what is left out. @note Collective
+    void start(const solver::Simulation& simulation);
+
+    /// What to say of the projectile while the run goes on.
+    [[nodiscard]] static std::string projectile_text(const solver::Simulation& simulation);
+
+    /// The closing lines and summary.json. @note Collective
+    void finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,
+                const std::filesystem::path& directory);
+
+  private:
+    const scene::Scene& scene_;
+    const parallel::Communicator& comm_;
+    io::Log& log_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point computing_;
+};
+
+}  // namespace weavefront::app

@@ -1,0 +1,176 @@
+#include "weavefront/contact/ply_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weavefront::contact {
+
+namespace {
+
+// Pressures of a few GPa press two plies into each other by about their thickness; a point deeper than this has gone through a hole.
+constexpr double deepest_in_thicknesses = 4;
+
+/// Lines through the points of a batch along the smoothed normals.
+Rays rays_of(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals, const QuadratureBatch& points) {
+    Rays rays{interpolate(corners, points.N), interpolate(normals, points.N)};
+    auto& n = rays.direction;
+    for (std::size_t i = 0; i < batch_width; ++i) {
+        const double length = std::sqrt(n.x[i] * n.x[i] + n.y[i] * n.y[i] + n.z[i] * n.z[i]);
+        const double inverse = length > 0 ? 1 / length : 0;
+        n.x[i] *= inverse;
+        n.y[i] *= inverse;
+        n.z[i] *= inverse;
+    }
+    return rays;
+}
+
+std::array<Lanes, 4> shape_functions(const RayHits& hits) {
+    std::array<Lanes, 4> N;
+    for (std::size_t i = 0; i < batch_width; ++i) {
+        const double xi = hits.xi[i], eta = hits.eta[i];
+        N[0][i] = (1 - xi) * (1 - eta) / 4;
+        N[1][i] = (1 + xi) * (1 - eta) / 4;
+        N[2][i] = (1 + xi) * (1 + eta) / 4;
+        N[3][i] = (1 - xi) * (1 + eta) / 4;
+    }
+    return N;
+}
+
+/// Rates at which the points approach what their lines meet.
+Lanes closing_rates(const VectorLanes& slave, const VectorLanes& master, const VectorLanes& direction) {
+    Lanes rates;
+    for (std::size_t i = 0; i < batch_width; ++i)
+        rates[i] = (slave.x[i] - master.x[i]) * direction.x[i] + (slave.y[i] - master.y[i]) * direction.y[i] +
+                   (slave.z[i] - master.z[i]) * direction.z[i];
+    return rates;
+}
+
+}  // namespace
+
+PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
+    : plies_(surface.plies), quadrature_(spacing), points_(static_cast<std::size_t>(surface.owned)) {
+    for (const auto& ply : plies_) {
+        depth_ = std::max(depth_, deepest_in_thicknesses * ply.thickness);
+        for (const auto& other : plies_)
+            laws_.emplace_back(law, ply.areal_density * other.areal_density / (ply.areal_density + other.areal_density));
+    }
+    for (std::size_t f = 0; f < points_.size(); ++f) rules_.push_back(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x)));
+}
+
+void PlyContact::update_candidates(const Surface& surface, std::span<const Vec3> x, double skin) {
+    candidates_ = find_candidates(surface, x, depth_ + skin);
+    normals_.rebuild(surface, x.size());
+    for (std::size_t f = 0; f < points_.size(); ++f)
+        if (!surface.alive[f]) points_[f] = {};
+}
+
+double PlyContact::touching_distance(std::int32_t ply, std::int32_t other) const {
+    const auto &a = plies_[static_cast<std::size_t>(ply)], &b = plies_[static_cast<std::size_t>(other)];
+    // Plies that lie closer than their thickness at the start touch there without pressing.
+    return std::min((a.thickness + b.thickness) / 2, b.z - a.z);
+}
+
+void PlyContact::find_near(const Surface& surface, std::int32_t f, std::span<const Vec3> x) {
+    near_.clear();
+    const auto& facet = surface.facets[static_cast<std::size_t>(f)];
+    const auto& a = boxes_[static_cast<std::size_t>(f)];
+    const auto corners = corners_of(facet.nodes, x);
+    const Vec3 centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+    const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
+    double front = 0;
+    for (const auto& corner : corners) front = std::max(front, (corner - centre).dot(normal));
+    for (const auto other : candidates_.of(f)) {
+        const auto o = static_cast<std::size_t>(other);
+        const auto& b = boxes_[o];
+        const auto ply = surface.facets[o].ply;
+        const double touching = touching_distance(facet.ply, ply);
+        if (!surface.alive[o] || b.low.z() > a.high.z() + touching || b.high.z() < a.low.z() - depth_ || b.low.x() > a.high.x() + depth_ ||
+            b.high.x() < a.low.x() - depth_ || b.low.y() > a.high.y() + depth_ || b.high.y() < a.low.y() - depth_)
+            continue;
+        // Seen along the normal of this facet the other must not lie wholly ahead of its foremost corner; a line at a slant only meets it
+        // later.
+        const auto others = corners_of(surface.facets[o].nodes, x);
+        double nearest = (others[0] - centre).dot(normal);
+        for (std::size_t c = 1; c < 4; ++c) nearest = std::min(nearest, (others[c] - centre).dot(normal));
+        if (nearest > front + touching) continue;
+        near_.push_back({other, ply, ((others[0] + others[1] + others[2] + others[3]) / 4 - centre).squaredNorm()});
+    }
+    std::ranges::stable_sort(near_, [](const Near& l, const Near& r) { return l.ply != r.ply ? l.ply < r.ply : l.apart < r.apart; });
+}
+
+/// One facet whose points look for what they touch.
+struct PlyContact::Slave {
+    std::int32_t facet;
+    std::array<Vec3, 4> corners, velocities, normals;
+    bool touching = false;
+};
+
+void PlyContact::press(Slave& slave, const QuadratureBatch& points, const Rays& rays, std::size_t near, const Surface& surface,
+                       std::span<const Vec3> x, std::span<const Vec3> v, double dt, OpenPoints& open, Batch& batch,
+                       std::vector<PairForce>& forces) {
+    const auto& facet = surface.facets[static_cast<std::size_t>(slave.facet)];
+    const auto& other = surface.facets[static_cast<std::size_t>(near_[near].facet)];
+    const auto hits = meet(rays, corners_of(other.nodes, x));
+    const auto N = shape_functions(hits);
+    const auto closing = closing_rates(interpolate(slave.velocities, points.N), interpolate(corners_of(other.nodes, v), N), rays.direction);
+    const double reach = touching_distance(facet.ply, other.ply);
+    const auto& penalty = law(facet.ply, other.ply);
+    for (std::size_t i = 0; i < batch_width; ++i) {
+        if (!open.lane[i] || !hits.hit[i] || hits.distance[i] < -depth_) continue;
+        open.lane[i] = false;
+        --open.count;
+        auto& point = batch.point[i];
+        const double overlap = reach - hits.distance[i];
+        // A point that is already beyond the other mid-surface when first seen went through a hole: it is not pushed back.
+        if (point.present == 0 && overlap > reach) continue;
+        const double pressure = penalty.advance(point, overlap, closing[i], dt);
+        slave.touching = slave.touching || point.present > 0;
+        if (!(pressure > 0)) continue;
+        auto& pair = pair_of_[near];
+        if (pair < 0) {
+            pair = static_cast<std::int32_t>(forces.size());
+            forces.emplace_back(facet.nodes, other.nodes);
+        }
+        const double size = -pressure * surface.areas[static_cast<std::size_t>(slave.facet)] * points.share[i];
+        const Vec3 force(size * rays.direction.x[i], size * rays.direction.y[i], size * rays.direction.z[i]);
+        forces[static_cast<std::size_t>(pair)].add(force, points.N, N, i);
+    }
+}
+
+bool PlyContact::evaluate_facet(std::int32_t f, const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+                                std::vector<PairForce>& forces) {
+    const auto& facet = surface.facets[static_cast<std::size_t>(f)];
+    Slave slave{f, corners_of(facet.nodes, x), corners_of(facet.nodes, v), {}};
+    for (std::size_t a = 0; a < 4; ++a) slave.normals[a] = normals_.at(facet.nodes[a], surface, x);
+    const auto& rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]);
+    auto& batches = points_[static_cast<std::size_t>(f)];
+    if (batches.empty()) batches.resize(rule.size());
+    pair_of_.assign(near_.size(), -1);
+    for (std::size_t b = 0; b < rule.size(); ++b) {
+        const auto rays = rays_of(slave.corners, slave.normals, rule[b]);
+        OpenPoints open{{}, rule[b].count};
+        std::fill_n(open.lane.begin(), open.count, true);
+        for (std::size_t k = 0; k < near_.size() && open.count > 0; ++k)
+            press(slave, rule[b], rays, k, surface, x, v, dt, open, batches[b], forces);
+        for (std::size_t i = 0; i < batch_width; ++i)
+            if (open.lane[i]) batches[b].point[i] = {};
+    }
+    return slave.touching;
+}
+
+void PlyContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+                          std::vector<PairForce>& forces) {
+    normals_.new_positions();
+    boxes_.resize(surface.facets.size());
+    for (std::size_t f = 0; f < surface.facets.size(); ++f)
+        if (surface.alive[f]) boxes_[f] = Box::around(surface.facets[f], x);
+    for (std::int32_t f = 0; f < surface.owned; ++f) {
+        if (!surface.alive[static_cast<std::size_t>(f)]) continue;
+        find_near(surface, f, x);
+        auto& points = points_[static_cast<std::size_t>(f)];
+        if (near_.empty() || !evaluate_facet(f, surface, x, v, dt, forces))
+            if (!points.empty()) points = {};
+    }
+}
+
+}  // namespace weavefront::contact

@@ -1,0 +1,55 @@
+#include "weavefront/contact/quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weavefront::contact {
+
+namespace {
+
+struct Point {
+    double xi, eta, share;
+};
+
+std::vector<Point> points_of(int n, int m) {
+    if (n == 0) return {{-1, -1, 0.25}, {1, -1, 0.25}, {1, 1, 0.25}, {-1, 1, 0.25}};
+    std::vector<Point> points;
+    for (int j = 0; j < m; ++j)
+        for (int i = 0; i < n; ++i) points.push_back({(2.0 * i + 1) / n - 1, (2.0 * j + 1) / m - 1, 1.0 / (n * m)});
+    return points;
+}
+
+}  // namespace
+
+QuadratureRule quadrature(int n, int m) {
+    const auto points = points_of(n, m);
+    QuadratureRule rule((points.size() + batch_width - 1) / batch_width);
+    for (std::size_t i = 0; i < rule.size() * batch_width; ++i) {
+        const auto& [xi, eta, share] = points[std::min(i, points.size() - 1)];
+        auto& batch = rule[i / batch_width];
+        const auto lane = i % batch_width;
+        batch.N[0][lane] = (1 - xi) * (1 - eta) / 4;
+        batch.N[1][lane] = (1 + xi) * (1 - eta) / 4;
+        batch.N[2][lane] = (1 + xi) * (1 + eta) / 4;
+        batch.N[3][lane] = (1 - xi) * (1 + eta) / 4;
+        batch.share[lane] = i < points.size() ? share : 0;
+        if (i < points.size()) ++batch.count;
+    }
+    return rule;
+}
+
+std::int32_t Quadrature::rule_for(const std::array<Vec3, 4>& corners) {
+    int n = 0, m = 0;
+    if (spacing_) {
+        // An element as long as a whole number of spacings takes that many points, whatever the rounding of its corners.
+        const auto points = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / *spacing_ * (1 - 1e-9)))); };
+        n = points(std::max((corners[1] - corners[0]).norm(), (corners[2] - corners[3]).norm()));
+        m = points(std::max((corners[3] - corners[0]).norm(), (corners[2] - corners[1]).norm()));
+    }
+    const auto same = [&](const Rule& rule) { return rule.n == n && rule.m == m; };
+    auto found = std::ranges::find_if(rules_, same);
+    if (found == rules_.end()) found = rules_.insert(rules_.end(), Rule{n, m, quadrature(n, m)});
+    return static_cast<std::int32_t>(found - rules_.begin());
+}
+
+}  // namespace weavefront::contact

@@ -1,0 +1,39 @@
+#include "hdf5_handle.hpp"
+
+#include "weavefront/io/file_error.hpp"
+
+namespace weavefront::io {
+
+namespace {
+
+// H5E_WALK_UPWARD visits the place where the error was found first: the reason, the outer ones only say what could not be done then.
+herr_t take_innermost(unsigned index, const H5E_error2_t* error, void* reason) {
+    if (index == 0 && error->desc != nullptr) *static_cast<std::string*>(reason) = error->desc;
+    return 0;
+}
+
+}  // namespace
+
+QuietHdf5::QuietHdf5() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+QuietHdf5::~QuietHdf5() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+
+hid_t checked(hid_t result, const std::string& doing) {
+    if (result >= 0) return result;
+    std::string reason;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_innermost, &reason);
+    throw FileError(doing + " failed" + (reason.empty() ? "" : ": " + reason));
+}
+
+H5Properties unlocked_access(const std::string& doing) {
+    H5Properties access(checked(H5Pcreate(H5P_FILE_ACCESS), doing));
+    checked(H5Pset_file_locking(access.get(), false, true), doing);
+    return access;
+}
+
+void close(H5File& file, const std::string& doing) { checked(H5Fclose(file.release()), doing); }
+
+}  // namespace weavefront::io

@@ -1,0 +1,109 @@
+#include "weavefront/io/log.hpp"
+
+#include <spdlog/logger.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "agreement.hpp"
+#include "weavefront/io/file_error.hpp"
+
+namespace weavefront::io {
+
+class Log::Sinks {
+  public:
+    explicit Sinks(const std::filesystem::path& directory)
+        : interactive_(::isatty(STDOUT_FILENO) == 1),
+          out_("out", std::make_shared<spdlog::sinks::stdout_sink_mt>()),
+          error_("error", std::make_shared<spdlog::sinks::stderr_sink_mt>()),
+          file_("run.log") {
+        if (!directory.empty()) {
+            constexpr bool truncate = true;
+            file_.sinks().push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>((directory / "run.log").string(), truncate));
+        }
+        // A time on every line would hide the text, and no two runs would agree.
+        for (auto* logger : {&out_, &error_, &file_}) {
+            logger->set_pattern("%v");
+            logger->flush_on(spdlog::level::info);
+        }
+    }
+
+    void info(std::string_view line) {
+        above_drawing([&] { out_.info(line); });
+        file_.info(line);
+    }
+    void warn(std::string_view line) {
+        const std::string marked = "warning: " + std::string(line);
+        above_drawing([&] { error_.info(marked); });
+        file_.info(marked);
+    }
+    void record(std::string_view line) { file_.info(line); }
+
+    [[nodiscard]] bool interactive() const { return interactive_; }
+
+    void draw(std::string_view line) {
+        if (!interactive_) return;
+        drawn_ = line;
+        std::fprintf(stdout, "\r%s\x1b[K", drawn_.c_str());
+        std::fflush(stdout);
+    }
+
+    void end_drawing() {
+        if (drawn_.empty()) return;
+        drawn_.clear();
+        std::fputc('\n', stdout);
+        std::fflush(stdout);
+    }
+
+  private:
+    template <class Print>
+    void above_drawing(Print print) {
+        const std::string drawn = drawn_;
+        if (!drawn.empty()) {
+            std::fputs("\r\x1b[K", stdout);
+            std::fflush(stdout);
+        }
+        print();
+        if (!drawn.empty()) draw(drawn);
+    }
+
+    bool interactive_;
+    std::string drawn_;
+    spdlog::logger out_, error_, file_;
+};
+
+Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm) {
+    Agreement agreement(comm);
+    agreement.attempt_on_root([&] { sinks_ = std::make_unique<Sinks>(directory); });
+    agreement.settle<FileError>();
+}
+
+Log::~Log() = default;
+Log::Log(Log&&) noexcept = default;
+Log& Log::operator=(Log&&) noexcept = default;
+
+void Log::info(std::string_view line) {
+    if (sinks_) sinks_->info(line);
+}
+
+void Log::warn(std::string_view line) {
+    if (sinks_) sinks_->warn(line);
+}
+
+void Log::record(std::string_view line) {
+    if (sinks_) sinks_->record(line);
+}
+
+bool Log::interactive() const { return sinks_ && sinks_->interactive(); }
+
+void Log::draw(std::string_view line) {
+    if (sinks_) sinks_->draw(line);
+}
+
+void Log::end_drawing() {
+    if (sinks_) sinks_->end_drawing();
+}
+
+}  // namespace weavefront::io

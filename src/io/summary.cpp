@@ -1,0 +1,79 @@
+#include "weavefront/io/summary.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "agreement.hpp"
+#include "weavefront/io/file_error.hpp"
+
+namespace weavefront::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json to_json(const Summary& summary) {
+    Json phases = Json::object();
+    Json first_break = Json::array();
+    for (const auto& time : summary.first_break) first_break.push_back(to_json(time));
+    for (const auto& phase : summary.wall_seconds) phases[phase.name] = {{"min", phase.min}, {"mean", phase.mean}, {"max", phase.max}};
+    return {{"status", summary.status},
+            {"reason", summary.reason},
+            {"title", summary.title},
+            {"scene_hash", summary.scene_hash},
+            {"versions", summary.versions},
+            {"ranks", summary.ranks},
+            {"elements", summary.elements},
+            {"nodes", summary.nodes},
+            {"steps", summary.steps},
+            {"time", summary.time},
+            {"wall_seconds", phases},
+            {"element_steps", summary.element_steps},
+            {"nanoseconds_per_element_step", summary.nanoseconds_per_element_step},
+            {"residual_velocity", to_json(summary.residual_velocity)},
+            {"max_displacement", summary.max_displacement},
+            {"energy_error", summary.energy_error},
+            {"broken_yarns", summary.broken_yarns},
+            {"eroded_elements", summary.eroded_elements},
+            {"first_break", first_break},
+            {"left_out", summary.left_out}};
+}
+
+// JSON has no infinities: the library would write null, which reads as "does not apply".
+void require_finite(const Json& json, const std::string& key) {
+    if (json.is_number_float() && !std::isfinite(json.get<double>())) throw NotFinite("summary: " + key + " is not finite");
+    if (!json.is_structured()) return;
+    for (const auto& [name, value] : json.items()) require_finite(value, json.is_object() ? name : key);
+}
+
+void replace_file(const std::filesystem::path& path, const std::string& text) {
+    const std::filesystem::path unfinished = path.string() + ".new";
+    std::ofstream file(unfinished);
+    file << text << std::flush;
+    if (!file) throw FileError(path.string() + " cannot be written: " + std::generic_category().message(errno));
+    file.close();
+    std::error_code failure;
+    std::filesystem::rename(unfinished, path, failure);
+    if (failure) throw FileError(path.string() + " cannot be written: " + failure.message());
+}
+
+}  // namespace
+
+void write_summary(const std::filesystem::path& path, const Summary& summary, const parallel::Communicator& comm) {
+    Json json;
+    Agreement agreement(comm);
+    agreement.attempt_on_root([&] {
+        json = to_json(summary);
+        require_finite(json, "summary");
+    });
+    agreement.settle<NotFinite>();
+    agreement.attempt_on_root([&] { replace_file(path, json.dump(2) + "\n"); });
+    agreement.settle<FileError>();
+}
+
+}  // namespace weavefront::io

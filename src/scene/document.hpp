@@ -1,0 +1,47 @@
+#pragma once
+/// @file
+/// A YAML document as a tree that remembers where everything stands and keeps keys given twice.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "findings.hpp"
+
+namespace weavefront::scene {
+
+struct Entry;
+
+/// A node of the document.
+struct Value {
+    enum class Kind { null, scalar, list, map };
+    Kind kind = Kind::null;
+    Location where = {};
+    std::string text = {};            ///< of a scalar
+    std::vector<Value> items = {};    ///< of a list
+    std::vector<Entry> entries = {};  ///< of a map, as written
+};
+
+/// A key of a map and its value.
+struct Entry {
+    std::string key;
+    Location where;
+    Value value = {};
+    bool left_out = false;  ///< by an override without a value: as if it were not there
+};
+
+/// Turns a line and column (from 1) into a location.
+using Locate = std::function<Location(int line, int column)>;
+
+/// Parses one YAML document.
+/// @throws InputError with one message when it is not YAML
+Value parse_document(const std::string& text, const Locate& locate);
+
+/// A value in a few words, for messages: `'3 kg'`, `a list`, `nothing`.
+std::string describe(const Value& value);
+
+/// The entry of a map with this key, or null. Of a key given twice, the first.
+const Entry* find(const Value& map, std::string_view key);
+Entry* find(Value& map, std::string_view key);
+
+}  // namespace weavefront::scene

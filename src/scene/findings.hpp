@@ -1,0 +1,45 @@
+#pragma once
+/// @file
+/// What is wrong with a scene, collected until everything has been read.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace weavefront::scene {
+
+/// Where a value was written: `file:line:column`, or the override it came from.
+struct Location {
+    std::string text = {};
+    int line = 1;
+    int column = 1;
+};
+
+/// Collects findings and throws them at once, in the order of the file.
+class Findings {
+  public:
+    /// Notes one finding, `where: path: what`.
+    void add(const Location& where, std::string_view path, std::string_view what);
+
+    /// Notes `found ..., allowed ...[, did you mean 'hint'?]`. An empty `hint` is left out.
+    void add(const Location& where, std::string_view path, std::string_view found, std::string_view allowed, std::string_view hint = {});
+
+    /// While silent, findings are dropped.
+    void silence(bool silent) { silent_ = silent; }
+    [[nodiscard]] bool silent() const { return silent_; }
+
+    /// Throws everything noted.
+    /// @throws InputError unless nothing was
+    void raise();
+
+  private:
+    struct Finding {
+        int line;
+        int column;
+        std::string text;
+    };
+    std::vector<Finding> findings_;
+    bool silent_ = false;
+};
+
+}  // namespace weavefront::scene

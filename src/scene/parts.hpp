@@ -1,0 +1,41 @@
+#pragma once
+/// @file
+/// The readers of the scene's sections. Each notes in the section what is wrong and returns what it could read.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "section.hpp"
+#include "weavefront/scene/scene.hpp"
+
+namespace weavefront::scene {
+
+/// `fabrics`: names to fabrics.
+std::vector<Fabric> read_fabrics(Section& section);
+
+/// `target`.
+Target read_target(Section& section, std::span<const Fabric> fabrics);
+
+/// `target.plies`, a map for equal plies or a list; needs to know the symmetry.
+std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics, const std::array<bool, 2>& symmetry);
+
+/// `projectile`. @param target null when the scene has none
+Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);
+
+/// `contact`.
+Contact read_contact(Section& section);
+
+/// `time`.
+Scene::Time read_time(Section& section);
+
+/// `limits`.
+Scene::Limits read_limits(Section& section);
+
+/// `output`. @param end of the run, s
+Output read_output(Section& section, double end);
+
+/// The scene as YAML with every default written out. Parses again to the same scene, bit for bit.
+std::string resolved_text(const Scene& scene);
+
+}  // namespace weavefront::scene

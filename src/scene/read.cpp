@@ -1,0 +1,86 @@
+#include "weavefront/scene/read.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "overrides.hpp"
+#include "parts.hpp"
+
+namespace weavefront::scene {
+namespace {
+
+// FNV-1a, 64 bits.
+std::uint64_t fnv1a(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return hash;
+}
+
+// A section that only the impact must have.
+template <typename Read>
+auto read_part(Section& root, std::string_view key, Need need, Read read) -> std::optional<std::invoke_result_t<Read, Section&>> {
+    if (need == Need::impact) return root.required(key, read);
+    return root.optional(key, read);
+}
+
+Scene read_parts(Section& root, Need need) {
+    Scene scene;
+    scene.title = root.text("title", "");
+    scene.fabrics = root.required("fabrics", read_fabrics);
+    scene.target = read_part(root, "target", need, [&](Section& section) { return read_target(section, scene.fabrics); });
+    const Target* target = scene.target ? &*scene.target : nullptr;
+    scene.projectile = root.optional("projectile", [&](Section& section) { return read_projectile(section, scene.fabrics, target); });
+    scene.contact = root.optional("contact", read_contact).value_or(scene.contact);
+    scene.damping = root.quantity("damping", rate, non_negative, 0);
+    scene.time = read_part(root, "time", need, read_time).value_or(scene.time);
+    scene.limits = root.optional("limits", read_limits).value_or(scene.limits);
+    const double end = scene.time.end > 0 ? scene.time.end : std::numeric_limits<double>::quiet_NaN();
+    scene.output = read_part(root, "output", need, [&](Section& section) { return read_output(section, end); }).value_or(scene.output);
+
+    root.refuse_if(root.has("fabrics") && scene.fabrics.empty(), "fabrics", "at least one fabric");
+    root.refuse_if(scene.projectile && !scene.contact.projectile, "contact", "a map with the key projectile, since there is a projectile");
+    root.unavailable({"checkpoint", "restart", "frame", "subcycling"});
+    return scene;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides, Need need) {
+    Value document = parse_document(text, [&](int line, int column) {
+        return Location{fmt::format("{}:{}:{}", name, line, column), line, column};
+    });
+    Context context;
+    apply_overrides(document, overrides, context.findings);
+    const Location start{fmt::format("{}:1:1", name), 1, 1};
+    if (document.kind != Value::Kind::map) {
+        context.findings.add(start, "", describe(document), "a map of keys, beginning with title or fabrics");
+        context.findings.raise();
+    }
+    Section root(document, start, "", context);
+    Scene scene = read_parts(root, need);
+    root.refuse_unknown();
+    context.findings.raise();
+
+    scene.resolved = resolved_text(scene);
+    scene.hash = fmt::format("{:016x}", fnv1a(scene.resolved));
+    return scene;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (file) text << file.rdbuf();
+    if (!file) throw std::runtime_error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+    return text.str();
+}
+
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides, Need need) {
+    return parse_scene(read_text(path), path.string(), overrides, need);
+}
+
+}  // namespace weavefront::scene

@@ -1,0 +1,82 @@
+#include <cmath>
+#include <numbers>
+
+#include "parts.hpp"
+
+namespace weavefront::scene {
+namespace {
+
+constexpr double diagonal = std::numbers::pi / 4;
+constexpr Range strain{0, false, 1, " greater than 0 and at most 100 %"};
+
+Yarn read_yarn(Section& section) {
+    Yarn yarn;
+    yarn.span = section.quantity("span", length, positive);
+    yarn.area = section.quantity("area", area, positive);
+    yarn.width = section.quantity("width", length, positive);
+    section.refuse_if(yarn.width >= yarn.span, "width", "less than the span");
+    return yarn;
+}
+
+Elastic read_elastic(Section& section) {
+    Elastic elastic;
+    elastic.static_modulus = section.quantity("static_modulus", modulus, positive);
+    elastic.hooke_modulus = section.quantity("hooke_modulus", modulus, positive);
+    elastic.viscosity = section.quantity("viscosity", viscosity, non_negative, 0);
+    section.refuse_if(elastic.hooke_modulus <= elastic.static_modulus, "hooke_modulus", "more than static_modulus");
+    return elastic;
+}
+
+Failure read_failure(Section& section) {
+    Failure failure;
+    failure.static_strain = section.quantity("static_strain", ratio, strain);
+    failure.hooke_strain = section.quantity("hooke_strain", ratio, strain);
+    failure.erode = section.choice("erode", erode_names, failure.erode);
+    return failure;
+}
+
+Lateral read_lateral(Section& section, const Yarn& yarn) {
+    Lateral lateral;
+    lateral.modulus = section.quantity("modulus", modulus, positive);
+    lateral.shear_modulus = section.quantity("shear_modulus", modulus, positive);
+    const double theta_min = std::asin(yarn.width / yarn.span) / 2;  // IT04 (1)
+    lateral.locking_angle = section.quantity("locking_angle", angle, any_value, diagonal - theta_min);
+    lateral.transition = section.quantity("transition", angle, positive);
+    section.refuse_if(lateral.locking_angle <= 0 || lateral.locking_angle >= diagonal, "locking_angle",
+                      "an angle greater than 0 deg and less than 45 deg");
+    section.refuse_if(lateral.locking_angle > 0 && lateral.transition >= lateral.locking_angle, "transition",
+                      "less than the locking angle");
+    return lateral;
+}
+
+Fabric read_fabric(Section& section) {
+    Fabric fabric;
+    fabric.formulation = section.choice("formulation", formulation_names, fabric.formulation);
+    fabric.areal_density = section.quantity("areal_density", areal_density, positive);
+    fabric.density = section.quantity("density", density, positive);
+    fabric.yarn = section.required("yarn", read_yarn);
+    fabric.thickness = section.quantity("thickness", length, non_negative);
+    fabric.elastic = section.required("elastic", read_elastic);
+    fabric.failure = section.optional("failure", read_failure);
+    fabric.lateral = section.optional("lateral", [&](Section& lateral) { return read_lateral(lateral, fabric.yarn); });
+    fabric.friction = section.quantity("friction", ratio, non_negative, 0);
+    fabric.transverse_shear = section.quantity("transverse_shear", modulus, non_negative, 0);
+    fabric.hourglass = section.quantity("hourglass", ratio, non_negative, fabric.hourglass);
+    fabric.contact_thickness = section.quantity("contact_thickness", length, positive, fabric.effective_thickness());
+    return fabric;
+}
+
+}  // namespace
+
+std::vector<Fabric> read_fabrics(Section& section) {
+    std::vector<Fabric> fabrics;
+    for (const std::string& name : section.keys()) {
+        // The paths of overrides and messages have dots between keys.
+        section.refuse_if(name.empty() || name.find_first_of(".=") != name.npos, name, "a name without '.' and '='");
+        fabrics.push_back(section.required(name, read_fabric));
+        fabrics.back().name = name;
+    }
+    return fabrics;
+}
+
+}  // namespace weavefront::scene

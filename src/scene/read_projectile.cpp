@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "parts.hpp"
+
+namespace weavefront::scene {
+namespace {
+
+constexpr double steel = 7850;  // kg/m3
+
+double steel_length(const Projectile& projectile) {
+    const double section = std::numbers::pi / 4 * projectile.diameter * projectile.diameter;
+    return std::max(projectile.mass / (steel * section), 2 * projectile.edge_radius);
+}
+
+void read_cylinder(Section& section, Projectile& projectile) {
+    projectile.edge_radius = section.quantity("edge_radius", length, non_negative, 0);
+    section.refuse_if(projectile.edge_radius > projectile.diameter / 2, "edge_radius", "at most half the diameter");
+    projectile.length = section.quantity("length", length, positive, steel_length(projectile));
+    section.refuse_if(projectile.length < 2 * projectile.edge_radius, "length", "at least twice the edge radius");
+}
+
+// The shot must start in front of the target, hit it, and lie in the planes of symmetry.
+void check_shot(Section& section, const Projectile& projectile, const Target& target, double surface) {
+    const double rounding = 1e-9;
+    section.refuse_if(projectile.position[2] > surface * (1 - rounding), "position",
+                      fmt::format("a nose at z of at most {:.6g} m: outside the target", surface));
+    section.refuse_if(projectile.velocity[2] <= 0, "velocity", "a z component greater than 0: towards the target");
+    for (const auto& [name, axis] : axis_names) {
+        section.refuse_if(std::abs(projectile.position[axis]) > target.size[axis] / 2, "position",
+                          fmt::format("{} within {:.6g} m of the middle: over the target", name, target.size[axis] / 2));
+        if (!target.symmetry[axis]) continue;
+        section.refuse_if(std::abs(projectile.position[axis]) > 0, "position", fmt::format("{0} = 0 with symmetry {0}", name));
+        section.refuse_if(std::abs(projectile.velocity[axis]) > 0, "velocity", fmt::format("no {0} component with symmetry {0}", name));
+    }
+}
+
+}  // namespace
+
+Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target) {
+    Projectile projectile;
+    projectile.shape = section.choice("shape", shape_names, std::nullopt, {"cone", "ogive", "fsp", "hemisphere", "mesh", "profile"});
+    projectile.diameter = section.quantity("diameter", length, positive);
+    projectile.mass = section.quantity("mass", mass, positive);
+    if (projectile.shape == Shape::cylinder) {
+        read_cylinder(section, projectile);
+    } else {
+        for (const std::string_view key : {"edge_radius", "length"}) section.refuse_if(section.has(key), key, "none for a sphere");
+    }
+
+    const bool hits_fabric = target != nullptr && !target->plies.empty() && target->plies[0].fabric >= 0;
+    const double surface = hits_fabric ? -fabrics[static_cast<std::size_t>(target->plies[0].fabric)].contact_thickness / 2 : 0;
+    projectile.position = section.vector<3>("position", length, any_value, std::array<double, 3>{0, 0, surface});
+    projectile.velocity = section.vector<3>("velocity", speed, any_value);
+    if (hits_fabric) check_shot(section, projectile, *target, surface);
+    section.unavailable({"rotation", "angular_velocity", "orientation", "inertia", "friction", "file"});
+    return projectile;
+}
+
+}  // namespace weavefront::scene

@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <yaml-cpp/emitter.h>
+
+#include <iterator>
+
+#include "parts.hpp"
+
+namespace weavefront::scene {
+namespace {
+
+// fmt's `{}` is the shortest text that reads back as the same double.
+template <typename... Values>
+void line(std::string& text, fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text), format, std::forward<Values>(values)...);
+    text += '\n';
+}
+
+std::string quoted(const std::string& text) {
+    YAML::Emitter emitter;
+    emitter << YAML::DoubleQuoted << text;
+    return emitter.c_str();
+}
+
+void write_fabric(std::string& text, const Fabric& f) {
+    line(text, "  {}:", quoted(f.name));
+    line(text, "    formulation: {}", name_of(f.formulation, formulation_names));
+    line(text, "    areal_density: {} kg/m^2", f.areal_density);
+    line(text, "    density: {} kg/m^3", f.density);
+    line(text, "    yarn: {{span: {} m, area: {} m^2, width: {} m}}", f.yarn.span, f.yarn.area, f.yarn.width);
+    line(text, "    thickness: {} m", f.thickness);
+    line(text, "    elastic: {{static_modulus: {} Pa, hooke_modulus: {} Pa, viscosity: {} Pa s}}", f.elastic.static_modulus,
+         f.elastic.hooke_modulus, f.elastic.viscosity);
+    if (f.failure) {
+        line(text, "    failure: {{static_strain: {}, hooke_strain: {}, erode: {}}}", f.failure->static_strain, f.failure->hooke_strain,
+             name_of(f.failure->erode, erode_names));
+    }
+    if (f.lateral) {
+        line(text, "    lateral: {{modulus: {} Pa, shear_modulus: {} Pa, locking_angle: {} rad, transition: {} rad}}", f.lateral->modulus,
+             f.lateral->shear_modulus, f.lateral->locking_angle, f.lateral->transition);
+    }
+    line(text, "    friction: {}", f.friction);
+    line(text, "    transverse_shear: {} Pa", f.transverse_shear);
+    line(text, "    hourglass: {}", f.hourglass);
+    line(text, "    contact_thickness: {} m", f.contact_thickness);
+}
+
+void write_target(std::string& text, const Target& target, const std::vector<Fabric>& fabrics) {
+    std::vector<std::string_view> symmetry;
+    for (const auto& [name, axis] : axis_names) {
+        if (target.symmetry[axis]) symmetry.push_back(name);
+    }
+    line(text, "target:");
+    line(text, "  size: [{} m, {} m]", target.size[0], target.size[1]);
+    line(text, "  plies:");
+    for (std::size_t i = 0; i < target.plies.size(); ++i) {
+        const Ply& ply = target.plies[i];
+        const std::string spacing = i == 0 ? "" : fmt::format(", spacing: {} m", ply.spacing);
+        const std::string fabric = quoted(fabrics[static_cast<std::size_t>(ply.fabric)].name);
+        line(text, "    - {{fabric: {}, angle: {} rad{}}}", fabric, ply.angle, spacing);
+    }
+    line(text, "  mesh: {{center: {} m, edge: {} m, growth: {}}}", target.mesh.center, target.mesh.edge, target.mesh.growth);
+    line(text, "  symmetry: [{}]", fmt::join(symmetry, ", "));
+    line(text, "  edges: {{x: {}, y: {}}}", name_of(target.edges[0], edge_names), name_of(target.edges[1], edge_names));
+}
+
+void write_projectile(std::string& text, const Projectile& p) {
+    line(text, "projectile:");
+    line(text, "  shape: {}", name_of(p.shape, shape_names));
+    line(text, "  diameter: {} m", p.diameter);
+    if (p.shape == Shape::cylinder) {
+        line(text, "  edge_radius: {} m", p.edge_radius);
+        line(text, "  length: {} m", p.length);
+    }
+    line(text, "  mass: {} kg", p.mass);
+    line(text, "  position: [{} m, {} m, {} m]", p.position[0], p.position[1], p.position[2]);
+    line(text, "  velocity: [{} m/s, {} m/s, {} m/s]", p.velocity[0], p.velocity[1], p.velocity[2]);
+}
+
+void write_law(std::string& text, std::string_view key, const std::optional<ContactLaw>& law) {
+    if (!law) return;
+    line(text, "  {}: {{stiffness: {} N/m^3, unloading: {}, damping: {}}}", key, law->stiffness, law->unloading, law->damping);
+}
+
+void write_contact(std::string& text, const Contact& contact) {
+    line(text, "contact:");
+    line(text, "  spacing: {}", contact.spacing ? fmt::format("{} m", *contact.spacing) : "nodes");
+    write_law(text, "projectile", contact.projectile);
+    write_law(text, "plies", contact.plies);
+}
+
+void write_output(std::string& text, const Output& output) {
+    std::vector<std::string_view> fields;
+    for (const Field field : output.fields) fields.push_back(name_of(field, field_names));
+    line(text, "output: {{interval: {} s, history: {} s, fields: [{}]}}", output.interval, output.history, fmt::join(fields, ", "));
+}
+
+}  // namespace
+
+std::string resolved_text(const Scene& scene) {
+    std::string text;
+    line(text, "title: {}", quoted(scene.title));
+    line(text, "fabrics:");
+    for (const Fabric& fabric : scene.fabrics) write_fabric(text, fabric);
+    if (scene.target) write_target(text, *scene.target, scene.fabrics);
+    if (scene.projectile) write_projectile(text, *scene.projectile);
+    write_contact(text, scene.contact);
+    line(text, "damping: {} 1/s", scene.damping);
+    if (scene.time.end > 0) line(text, "time: {{end: {} s, safety: {}}}", scene.time.end, scene.time.safety);
+    line(text, "limits: {{energy_error: {}}}", scene.limits.energy_error);
+    if (scene.output.history > 0) write_output(text, scene.output);
+    return text;
+}
+
+}  // namespace weavefront::scene

@@ -1,0 +1,181 @@
+#include "section.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "weavefront/scene/nearest.hpp"
+
+namespace weavefront::scene {
+namespace {
+
+constexpr std::string_view later_version = "not available in this version";
+
+std::string allowed_quantity(const Dimension& dimension, const Range& range) {
+    return fmt::format("{}{}, such as '{}'", dimension.name, range.text, dimension.example);
+}
+
+}  // namespace
+
+Section::Section(const Value& value, Location where, std::string path, Context& context)
+    : map_(&value), where_(std::move(where)), path_(std::move(path)), context_(context) {
+    for (const Entry& candidate : map_->entries) {
+        const Entry* first = find(*map_, candidate.key);
+        if (first == &candidate) continue;
+        context_.findings.add(candidate.where, inside(candidate.key), "the key again, first at " + first->where.text, "once");
+    }
+}
+
+bool Section::has_list(std::string_view key) {
+    const Entry* found = entry(key);
+    return found != nullptr && found->value.kind == Value::Kind::list;
+}
+
+bool Section::says(std::string_view key, std::string_view word) {
+    const Entry* found = entry(key);
+    return found != nullptr && found->value.kind == Value::Kind::scalar && found->value.text == word;
+}
+
+const Entry* Section::entry(std::string_view key) {
+    if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
+    const Entry* found = find(*map_, key);
+    return found == nullptr || found->left_out ? nullptr : found;
+}
+
+std::string Section::inside(std::string_view key) const { return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key); }
+
+double Section::quantity(std::string_view key, const Dimension& dimension, const Range& range, std::optional<double> otherwise) {
+    const Entry* found = entry(key);
+    if (found != nullptr) return read_quantity(found->value, inside(key), dimension, range);
+    if (!otherwise) context_.findings.add(where_, inside(key), "nothing", allowed_quantity(dimension, range));
+    return otherwise.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+double Section::read_quantity(const Value& value, const std::string& path, const Dimension& dimension, const Range& range) {
+    std::string found = describe(value);
+    if (value.kind == Value::Kind::scalar) {
+        const Quantity quantity = context_.units.read(value.text, dimension);
+        const bool low = range.low_included ? quantity.value < range.low : quantity.value <= range.low;
+        if (quantity.problem.empty() && !low && quantity.value <= range.high) return quantity.value;
+        if (!quantity.problem.empty()) found += ", " + quantity.problem;
+    }
+    context_.findings.add(value.where, path, found, allowed_quantity(dimension, range));
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+void Section::components(std::string_view key, const Dimension& dimension, const Range& range, std::span<double> values) {
+    const Entry* found = entry(key);
+    const std::string allowed = fmt::format("a list of {}, each {}", values.size(), allowed_quantity(dimension, range));
+    if (found == nullptr) return context_.findings.add(where_, inside(key), "nothing", allowed);
+    const Value& list = found->value;
+    if (list.kind != Value::Kind::list) return context_.findings.add(list.where, inside(key), describe(list), allowed);
+    if (list.items.size() != values.size()) {
+        return context_.findings.add(list.where, inside(key), fmt::format("a list of {}", list.items.size()), allowed);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = read_quantity(list.items[i], fmt::format("{}.{}", inside(key), i), dimension, range);
+    }
+}
+
+std::int64_t Section::count(std::string_view key, std::int64_t high) {
+    const Entry* found = entry(key);
+    const std::string allowed = fmt::format("a whole number from 1 to {}", high);
+    if (found == nullptr) {
+        context_.findings.add(where_, inside(key), "nothing", allowed);
+        return 1;
+    }
+    const std::string& digits = found->value.text;
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc{} && end == digits.data() + digits.size() && value >= 1 && value <= high) return value;
+    context_.findings.add(found->value.where, inside(key), describe(found->value), allowed);
+    return 1;
+}
+
+std::string Section::text(std::string_view key, std::optional<std::string> otherwise) {
+    const Entry* found = entry(key);
+    if (found == nullptr) {
+        if (!otherwise) context_.findings.add(where_, inside(key), "nothing", "text");
+    } else if (found->value.kind == Value::Kind::scalar) {
+        return found->value.text;
+    } else {
+        context_.findings.add(found->value.where, inside(key), describe(found->value), "text");
+    }
+    return otherwise.value_or("");
+}
+
+std::optional<std::size_t> Section::missing_name(std::string_view key, const std::vector<std::string>& names) {
+    context_.findings.add(where_, inside(key), "nothing", fmt::format("{}", fmt::join(names, ", ")));
+    return std::nullopt;
+}
+
+std::optional<std::size_t> Section::name_index(const Value& value, const std::string& path, const std::vector<std::string>& names,
+                                               std::initializer_list<std::string_view> later) {
+    const auto known = std::ranges::find(names, value.text);
+    if (value.kind == Value::Kind::scalar && known != names.end()) return static_cast<std::size_t>(known - names.begin());
+    const std::string allowed = fmt::format("{}", fmt::join(names, ", "));
+    if (value.kind == Value::Kind::scalar && std::ranges::find(later, value.text) != later.end()) {
+        context_.findings.add(value.where, path, fmt::format("{}, {}", describe(value), later_version), allowed);
+    } else {
+        context_.findings.add(value.where, path, describe(value), allowed, nearest(value.text, names));
+    }
+    return std::nullopt;
+}
+
+std::vector<std::size_t> Section::name_list(std::string_view key, const std::vector<std::string>& names) {
+    const Value& list = entry(key)->value;
+    std::vector<std::size_t> indices;
+    if (list.kind != Value::Kind::list) {
+        context_.findings.add(list.where, inside(key), describe(list), fmt::format("a list of {}", fmt::join(names, ", ")));
+    }
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+        const std::string path = fmt::format("{}.{}", inside(key), i);
+        const auto index = name_index(list.items[i], path, names);
+        if (!index) continue;
+        const bool again = std::ranges::find(indices, *index) != indices.end();
+        if (again) context_.findings.add(list.items[i].where, path, fmt::format("'{}' again", names[*index]), "each name once");
+        indices.push_back(*index);
+    }
+    return indices;
+}
+
+std::vector<std::string> Section::keys() const {
+    std::vector<std::string> keys;
+    for (const Entry& candidate : map_->entries) {
+        if (!candidate.left_out && find(*map_, candidate.key) == &candidate) keys.push_back(candidate.key);
+    }
+    return keys;
+}
+
+void Section::unavailable(std::initializer_list<std::string_view> later) {
+    for (const std::string_view key : later) {
+        const Entry* found = find(*map_, key);
+        if (found == nullptr) continue;
+        known_.emplace_back(key);
+        context_.findings.add(found->where, inside(key), later_version);
+    }
+}
+
+void Section::refuse_if(bool refused, std::string_view key, std::string_view allowed, std::string_view hint) {
+    if (!refused) return;
+    const Entry* found = entry(key);
+    if (found == nullptr) {
+        context_.findings.add(where_, inside(key), "nothing", allowed, hint);
+    } else {
+        const bool map = found->value.kind == Value::Kind::map;  // begins on the line after its key, often
+        context_.findings.add(map ? found->where : found->value.where, inside(key), describe(found->value), allowed, hint);
+    }
+}
+
+void Section::refuse_unknown() {
+    for (const Entry& candidate : map_->entries) {
+        if (std::ranges::find(known_, candidate.key) != known_.end()) continue;
+        context_.findings.add(candidate.where, inside(candidate.key), "an unknown key", known_keys(), nearest(candidate.key, known_));
+    }
+}
+
+std::string Section::known_keys() const { return fmt::format("{}", fmt::join(known_, ", ")); }
+
+}  // namespace weavefront::scene

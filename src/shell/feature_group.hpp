@@ -1,0 +1,176 @@
+#pragma once
+/// @file
+/// The element group of one set of features.
+
+#include <cmath>
+
+#include "weavefront/fabric/cell.hpp"
+#include "weavefront/fabric/pack.hpp"
+#include "weavefront/fabric/stiffness.hpp"
+#include "weavefront/shell/critical_frequency.hpp"
+#include "weavefront/shell/element_group.hpp"
+#include "weavefront/shell/internal_force.hpp"
+#include "weavefront/shell/inversion.hpp"
+
+namespace weavefront::shell {
+
+template <fabric::Features F>
+class FeatureGroup final : public ElementGroup {
+    using Pack = fabric::Pack;
+    static constexpr int state_fields = fabric::state_size<F>();
+
+  public:
+    FeatureGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements)
+        : ElementGroup(fabric, elements, state_fields), constants_(fabric::constants_of(fabric)), any_yarn_(any_yarn_erodes(fabric)) {
+        const auto initial = fabric::initial_state<F, Pack>(constants_);
+        for (std::int32_t pack = 0; pack < packs_; ++pack) fabric::store_state<F, Pack>(initial, state_at(pack));
+    }
+
+    void set_time_step(double dt) override { step_ = fabric::step_of(constants_, F, dt); }
+
+    void advance(std::int32_t first, std::int32_t count, std::span<const Eigen::Vector3d> x, std::span<double> forces,
+                 Events& events) override {
+        for (std::int32_t p = 0; p < count; ++p)
+            advance_pack(first + p, x, forces.data() + static_cast<std::size_t>(p) * forces_per_pack, events);
+    }
+
+    [[nodiscard]] Condition condition(std::span<const Eigen::Vector3d> x) const override {
+        Condition condition;
+        for (std::int32_t index = 0; index < size(); ++index) {
+            if (!alive(index)) continue;
+            const auto corners = corners_of(index, x);
+            const auto quad = quad_of(index);
+            const auto stiffness = fabric::stiffness_bound<F>(constants_, state_of(index));
+            condition.omega_squared =
+                std::max(condition.omega_squared, critical_frequency_squared(quad, stiffness, state_of(index), hourglass_, areal_density_));
+            if (is_inverted(corners)) condition.inverted.push_back(index);
+        }
+        return condition;
+    }
+
+    [[nodiscard]] ElementEnergy energy(std::int32_t index) const override {
+        const auto state = state_of(index);
+        const double area = quad(index, 6);
+        return {state.work * area, hourglass_energy(index), F.friction ? state.friction_work * area : 0.0};
+    }
+
+    [[nodiscard]] ElementOutput output(std::int32_t index, std::span<const Eigen::Vector3d> x) const override {
+        const auto state = state_of(index);
+        const auto yarns = fabric::yarn_state<F>(constants_, state);
+        const auto corners = corners_of(index, x);
+        const auto vector = [&](std::size_t a) { return Vector<double>{corners[a].x(), corners[a].y(), corners[a].z()}; };
+        const auto k = kinematics_of(quad_of(index), {vector(0), vector(1), vector(2), vector(3)});
+        const double cos_2theta = dot(k.g_f, k.g_w) / std::sqrt(dot(k.g_f, k.g_f) * dot(k.g_w, k.g_w));
+        return {yarns.eps_f,
+                yarns.eps_w,
+                yarns.sigma_f,
+                yarns.sigma_w,
+                std::acos(std::clamp(cos_2theta, -1.0, 1.0)) / 2,
+                F.crimp ? state.h_f : 0.0,
+                state.intact_f == 0,
+                state.intact_w == 0};
+    }
+
+  private:
+    double* state_at(std::int32_t pack) { return state_.data() + static_cast<std::size_t>(pack) * state_fields * pack_width; }
+    [[nodiscard]] const double* state_at(std::int32_t pack) const {
+        return state_.data() + static_cast<std::size_t>(pack) * state_fields * pack_width;
+    }
+
+    [[nodiscard]] fabric::State<double> state_of(std::int32_t index) const {
+        std::array<double, state_fields> fields;
+        for (int f = 0; f < state_fields; ++f) fields[static_cast<std::size_t>(f)] = state_[slot(index, f, state_fields)];
+        return fabric::load_state<F, double>(fields.data());
+    }
+
+    [[nodiscard]] Quad<double> quad_of(std::int32_t index) const {
+        return {quad(index, 0), quad(index, 1), quad(index, 2), quad(index, 3),
+                quad(index, 4), quad(index, 5), quad(index, 6), quad(index, 7)};
+    }
+
+    [[nodiscard]] std::array<Eigen::Vector3d, 4> corners_of(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
+        std::array<Eigen::Vector3d, 4> corners;
+        for (std::size_t a = 0; a < 4; ++a)
+            corners[a] = x[static_cast<std::size_t>(nodes(index / pack_width)[a][static_cast<std::size_t>(index % pack_width)])];
+        return corners;
+    }
+
+    [[nodiscard]] std::array<Vector<Pack>, 4> gather(std::int32_t pack, std::span<const Eigen::Vector3d> x) const {
+        alignas(64) double values[4][3][pack_width];
+        const auto& corners = nodes(pack);
+        for (std::size_t a = 0; a < 4; ++a)
+            for (std::size_t lane = 0; lane < pack_width; ++lane) {
+                const auto& position = x[static_cast<std::size_t>(corners[a][lane])];
+                for (int d = 0; d < 3; ++d) values[a][d][lane] = position[d];
+            }
+        std::array<Vector<Pack>, 4> packed;
+        for (std::size_t a = 0; a < 4; ++a) packed[a] = {Pack::load(values[a][0]), Pack::load(values[a][1]), Pack::load(values[a][2])};
+        return packed;
+    }
+
+    [[nodiscard]] Quad<Pack> load_quad(std::int32_t pack) const {
+        const double* at = quads_.data() + static_cast<std::size_t>(pack) * quad_size * pack_width;
+        const auto field = [at](int i) { return Pack::load(at + i * pack_width); };
+        return {field(0), field(1), field(2), field(3), field(4), field(5), field(6), field(7)};
+    }
+
+    void advance_pack(std::int32_t pack, std::span<const Eigen::Vector3d> x, double* forces, Events& events) {
+        auto state = fabric::load_state<F, Pack>(state_at(pack));
+        const auto before = state;
+        const auto result = internal_force<F, Pack>(constants_, step_, hourglass_, load_quad(pack), gather(pack, x), state);
+        fabric::store_state<F, Pack>(state, state_at(pack));
+        for (int a = 0; a < 3; ++a) {
+            const auto& f = result.corner[static_cast<std::size_t>(a)];
+            f.x.store(forces + (a * 3 + 0) * pack_width);
+            f.y.store(forces + (a * 3 + 1) * pack_width);
+            f.z.store(forces + (a * 3 + 2) * pack_width);
+        }
+        double* hourglass = hourglass_energy_.data() + static_cast<std::size_t>(pack) * pack_width;
+        if constexpr (F.failure) {
+            if (fabric::any((state.intact_f < before.intact_f) | (state.intact_w < before.intact_w)))
+                note_breaks(pack, before, state, result.hourglass_energy, forces, events);
+            else
+                result.hourglass_energy.store(hourglass);
+        } else {
+            result.hourglass_energy.store(hourglass);
+        }
+    }
+
+    /// Counts broken yarns; elements that erode by it give no force from this very step on, and the work of the step is corrected so.
+    void note_breaks(std::int32_t pack, const fabric::State<Pack>& before, const fabric::State<Pack>& after, const Pack& hourglass,
+                     double* forces, Events& events) {
+        for (int lane = 0; lane < pack_width; ++lane) {
+            const auto index = pack * pack_width + lane;
+            const auto at = static_cast<std::size_t>(index);
+            if (index >= size() || !alive(index)) continue;
+            const bool fill = after.intact_f.get(lane) != before.intact_f.get(lane),
+                       warp = after.intact_w.get(lane) != before.intact_w.get(lane);
+            const double hourglass_before = hourglass_energy_[at];
+            hourglass_energy_[at] = hourglass.get(lane);
+            if (!fill && !warp) continue;
+            events.broken_fill += fill;
+            events.broken_warp += warp;
+            events.broken.push_back(elements_[at]);
+            const double intact = after.intact_f.get(lane) + after.intact_w.get(lane);
+            if (any_yarn_ ? intact == 2 : intact > 0) continue;
+            for (std::size_t i = 0; i < forces_per_pack / pack_width; ++i) forces[i * pack_width + static_cast<std::size_t>(lane)] = 0;
+            const double forward = (after.N_f.get(lane) * (after.lambda_f.get(lane) - before.lambda_f.get(lane)) +
+                                    after.N_w.get(lane) * (after.lambda_w.get(lane) - before.lambda_w.get(lane)) +
+                                    after.m.get(lane) * (after.phi.get(lane) - before.phi.get(lane))) /
+                                   2;
+            const double area = quad(index, 6);
+            hourglass_energy_[at] = (hourglass_before + hourglass.get(lane)) / 2;
+            auto left = erode(index);
+            left.work -= forward * area;
+            events.eroded.push_back(left);
+        }
+    }
+
+    static bool any_yarn_erodes(const scene::Fabric& fabric) { return fabric.failure && fabric.failure->erode == scene::Erode::any_yarn; }
+
+    fabric::Constants constants_;
+    fabric::Step step_;
+    bool any_yarn_;
+};
+
+}  // namespace weavefront::shell

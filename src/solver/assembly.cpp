@@ -1,0 +1,79 @@
+#include "weavefront/solver/assembly.hpp"
+
+#include <algorithm>
+
+namespace weavefront::solver {
+
+void Assembly::start(std::vector<FixedVector>& sums) {
+    std::ranges::fill(sums, FixedVector{});
+    faulty_element_ = -1;
+    faulty_contact_ = false;
+}
+
+void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces, std::size_t lane,
+                        std::vector<FixedVector>& sums, std::int32_t element) {
+    constexpr std::size_t width = shell::pack_width;
+    std::array<FixedVector, 4> corner{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double force = forces[(a * 3 + d) * width + lane];
+            if (!scale_.fits(force)) {
+                if (faulty_element_ < 0) faulty_element_ = element;
+                return;
+            }
+            corner[a][d] = scale_.from(force);
+        }
+        corner[3][d] = -(corner[0][d] + corner[1][d] + corner[2][d]);
+    }
+    for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t d = 0; d < 3; ++d) sums[static_cast<std::size_t>(nodes[a])][d] += corner[a][d];
+}
+
+void Assembly::add_packs(const shell::ElementGroup& group, std::int32_t first, std::int32_t count, std::span<const double> forces,
+                         std::vector<FixedVector>& sums) {
+    for (std::int32_t p = 0; p < count; ++p) {
+        const auto& nodes = group.nodes(first + p);
+        const auto pack_forces = forces.subspan(static_cast<std::size_t>(p) * shell::forces_per_pack, shell::forces_per_pack);
+        const auto lanes = std::min(group.size() - (first + p) * shell::pack_width, shell::pack_width);
+        for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
+            const auto element = group.elements()[static_cast<std::size_t>((first + p) * shell::pack_width) + lane];
+            add_lane({nodes[0][lane], nodes[1][lane], nodes[2][lane], nodes[3][lane]}, pack_forces, lane, sums, element);
+        }
+    }
+}
+
+void Assembly::share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces, const FixedVector& total,
+                     std::vector<FixedVector>& sums) const {
+    for (std::size_t d = 0; d < 3; ++d) {
+        std::int64_t rest = total[d];
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::int64_t part = scale_.from(forces[a][static_cast<Eigen::Index>(d)]);
+            rest -= part;
+            sums[static_cast<std::size_t>(nodes[a])][d] += part;
+        }
+        sums[static_cast<std::size_t>(nodes[3])][d] += rest;
+    }
+}
+
+void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums, FixedVector& on_projectile) {
+    FixedVector total{}, opposite{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        const auto component = static_cast<Eigen::Index>(d);
+        bool fits = scale_.fits(pair.total[component]);
+        for (std::size_t a = 0; a < 4; ++a)
+            fits = fits && scale_.fits(pair.on_slave[a][component]) && scale_.fits(pair.on_master[a][component]);
+        if (!fits) {
+            faulty_contact_ = true;
+            return;
+        }
+        total[d] = scale_.from(pair.total[component]);
+        opposite[d] = -total[d];
+    }
+    share(pair.slave, pair.on_slave, total, sums);
+    if (pair.on_projectile)
+        for (std::size_t d = 0; d < 3; ++d) on_projectile[d] += opposite[d];
+    else
+        share(pair.master, pair.on_master, opposite, sums);
+}
+
+}  // namespace weavefront::solver

@@ -1,0 +1,85 @@
+#include "weavefront/solver/balance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "weavefront/solver/guard.hpp"
+#include "weavefront/solver/simulation.hpp"
+
+namespace weavefront::solver {
+
+double Simulation::damping_work(std::size_t node, const Vec3& next, double backward, double forward) const {
+    const Vec3& last = model_.nodes.v[node];
+    return scene_.damping * model_.nodes.mass[node] * (last + next).dot(backward * last + forward * next) / 4;
+}
+
+Balance Simulation::balance() {
+    const Timed timed(seconds_, Phase::ledger);
+    const auto& nodes = model_.nodes;
+    enum Sum : std::size_t { kinetic, internal, hourglass, friction, damping, contact, eroded, broken, eroded_count, faulty, size };
+    std::array<std::int64_t, size> sums{};
+    double highest = 0;
+    const auto add = [&](Sum sum, double value) {
+        if (energy_.fits(value))
+            sums[sum] += energy_.from(value);
+        else
+            ++sums[faulty];
+    };
+    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
+        if (!nodes.owned[n]) continue;
+        const Vec3 next = next_velocity(n);
+        const double step = (last_dt_ + dt_) / 2;
+        const Vec3 acceleration = (next - nodes.v[n]) / step;
+        add(kinetic, nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
+        if (scene_.damping > 0) add(damping, damping_work(n, next, last_dt_, 0));
+        highest = std::max(highest, std::abs(nodes.x[n].z() - nodes.initial[n].z()));
+    }
+    for (const auto& group : model_.groups)
+        for (std::int32_t i = 0; i < group->size(); ++i) {
+            if (!group->alive(i)) continue;
+            const auto energy = group->energy(i);
+            add(internal, energy.work);
+            add(hourglass, energy.hourglass);
+            add(friction, energy.friction);
+        }
+    sums[internal] += eroded_work_;
+    sums[friction] += eroded_friction_;
+    sums[eroded] += eroded_hourglass_;
+    sums[contact] += contact_work_;
+    sums[damping] += damping_work_;
+    sums[broken] = counts_.broken_yarns;
+    sums[eroded_count] = counts_.eroded_elements;
+    comm_.sum(sums);
+    if (sums[faulty] > 0) throw GuardStop(fmt::format("an energy is not finite at t = {:.6g} us, step {}", time_ * 1e6, steps_));
+
+    const auto whole = [&](Sum sum) { return multiplicity_ * energy_.to(sums[sum]); };
+    Balance balance;
+    balance.time = time_;
+    balance.time_step = dt_;
+    balance.kinetic_fabric = whole(kinetic);
+    balance.internal = whole(internal);
+    balance.hourglass = whole(hourglass);
+    balance.friction = whole(friction);
+    balance.damping = whole(damping);
+    balance.contact = whole(contact);
+    balance.eroded = whole(eroded);
+    const auto multiplicity = static_cast<std::int64_t>(multiplicity_);
+    balance.broken_yarns = multiplicity * sums[broken];
+    balance.eroded_elements = multiplicity * sums[eroded_count];
+    balance.max_displacement = comm_.max(highest);
+    if (model_.projectile) {
+        const auto& p = *model_.projectile;
+        const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
+        balance.projectile = p.position;
+        balance.projectile_velocity = p.velocity + last_dt_ / 2 * acceleration;
+        balance.contact_force = projectile_force_;
+        balance.kinetic_projectile = scene_.projectile->mass * p.velocity.dot(p.velocity + last_dt_ * acceleration) / 2;
+    }
+    balance.energy_error = initial_energy_ > 0 ? (balance.total() - initial_energy_) / initial_energy_ : 0;
+    counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, balance.contact);
+    return balance;
+}
+
+}  // namespace weavefront::solver

@@ -1,0 +1,144 @@
+#include "weavefront/solver/model.hpp"
+
+#include <algorithm>
+
+#include "weavefront/mesh/part.hpp"
+#include "weavefront/partition/cost.hpp"
+
+namespace weavefront::solver {
+
+namespace {
+
+std::array<Vec3, 4> corners_of(const mesh::Part& part, std::size_t element) {
+    std::array<Vec3, 4> corners;
+    for (std::size_t a = 0; a < 4; ++a) corners[a] = part.positions[static_cast<std::size_t>(part.element_nodes[element][a])];
+    return corners;
+}
+
+partition::Decomposition decompose_on_root(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
+    partition::Decomposition decomposition{comm.size(), {}};
+    if (comm.size() > panel.columns()) return partition::decompose(panel, {}, comm.size());  // throws on every rank
+    if (comm.rank() == 0) decomposition = partition::decompose(panel, partition::column_costs(panel, scene), comm.size());
+    comm.broadcast(decomposition.owner);
+    return decomposition;
+}
+
+Nodes build_nodes(const mesh::Part& part, const std::vector<bool>& owned) {
+    Nodes nodes;
+    nodes.count = static_cast<std::int32_t>(part.node_ids.size());
+    nodes.ids = part.node_ids;
+    nodes.owned = owned;
+    nodes.x = nodes.initial = part.positions;
+    nodes.v.assign(part.positions.size(), Vec3::Zero());
+    nodes.supports = part.supports;
+    nodes.force.resize(part.positions.size());
+    return nodes;
+}
+
+/// A quarter of each element's mass on each of its nodes, summed as integers over the ranks.
+void lump_mass(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, const std::vector<double>& areas,
+               const parallel::Communicator& comm, Model& model) {
+    double largest = 0;
+    std::vector<double> quarter;
+    for (std::size_t e = 0; e < areas.size(); ++e) {
+        const auto& ply = panel.plies[static_cast<std::size_t>(part.element_plies[e])];
+        quarter.push_back(scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density * areas[e] / 4);
+        largest = std::max(largest, quarter.back());
+    }
+    const parallel::FixedPoint scale(comm.max(largest));
+    std::vector<FixedVector> sums(part.node_ids.size());
+    for (std::size_t e = 0; e < areas.size(); ++e)
+        for (const auto node : part.element_nodes[e]) sums[static_cast<std::size_t>(node)][0] += scale.from(quarter[e]);
+    auto links = halo_links(model.halo);
+    links.forces.sum(comm, sums);
+    for (const auto& sum : sums) model.nodes.mass.push_back(scale.to(sum[0]));
+}
+
+void build_groups(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, Model& model) {
+    std::vector<std::vector<shell::GroupElement>> by_fabric(scene.fabrics.size());
+    std::vector<std::int32_t> group_of(scene.fabrics.size(), -1);
+    for (std::size_t e = 0; e < part.element_ids.size(); ++e) {
+        const auto& ply = panel.plies[static_cast<std::size_t>(part.element_plies[e])];
+        by_fabric[static_cast<std::size_t>(ply.fabric)].push_back(
+            {static_cast<std::int32_t>(e), part.element_nodes[e], shell::make_quad(corners_of(part, e), ply.angle)});
+    }
+    for (std::size_t f = 0; f < by_fabric.size(); ++f) {
+        if (by_fabric[f].empty()) continue;
+        group_of[f] = static_cast<std::int32_t>(model.groups.size());
+        model.groups.push_back(shell::make_element_group(scene.fabrics[f], by_fabric[f]));
+    }
+    model.places.resize(part.element_ids.size());
+    for (std::size_t f = 0; f < by_fabric.size(); ++f)
+        for (std::size_t i = 0; i < by_fabric[f].size(); ++i)
+            model.places[static_cast<std::size_t>(by_fabric[f][i].element)] = {group_of[f], static_cast<std::int32_t>(i)};
+}
+
+void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, const std::vector<double>& areas,
+                   contact::Surface& surface) {
+    for (std::size_t e = 0; e < part.element_ids.size(); ++e)
+        surface.facets.push_back({part.element_ids[e], part.element_nodes[e], part.element_plies[e]});
+    surface.alive.assign(part.element_ids.size(), 1);
+    surface.owned = static_cast<std::int32_t>(part.element_ids.size());
+    surface.areas = areas;
+    for (const auto& ply : panel.plies) {
+        const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
+        surface.plies.push_back({ply.z, fabric.contact_thickness, fabric.areal_density});
+    }
+}
+
+double smallest_difference(const std::vector<double>& line) {
+    double smallest = line.back() - line.front();
+    for (std::size_t i = 1; i < line.size(); ++i) smallest = std::min(smallest, line[i] - line[i - 1]);
+    return smallest;
+}
+
+/// The force that strains the stiffest yarns of the largest element by a tenth, or presses contact through its thickness.
+double largest_force(const scene::Scene& scene) {
+    const auto& target = *scene.target;
+    double largest = 0;
+    for (const auto& fabric : scene.fabrics) {
+        const double membrane = 0.1 * fabric.elastic.hooke_modulus * fabric.yarn.area / fabric.yarn.span * target.mesh.edge;
+        const double pressed = target.mesh.edge * target.mesh.edge * fabric.contact_thickness;
+        largest = std::max({largest, membrane, scene.contact.projectile ? scene.contact.projectile->stiffness * pressed : 0.0,
+                            scene.contact.plies ? scene.contact.plies->stiffness * pressed : 0.0});
+    }
+    return largest;
+}
+
+}  // namespace
+
+std::size_t Model::bytes() const {
+    std::size_t sum = nodes.x.size() * (3 * sizeof(Vec3) + sizeof(FixedVector) + sizeof(double) + sizeof(std::int64_t) + 1);
+    for (const auto& group : groups) sum += group->bytes();
+    return sum + surface.facets.size() * (sizeof(contact::Facet) + sizeof(contact::Box) + sizeof(double) + 1) +
+           places.size() * sizeof(ElementPlace);
+}
+
+Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
+    const auto decomposition = decompose_on_root(scene, panel, comm);
+    const auto part = mesh::make_part(panel, decomposition.columns_of(comm.rank()));
+    Model model;
+    model.halo = partition::make_halo_plan(panel, decomposition, part, comm.rank());
+    model.nodes = build_nodes(part, model.halo.owned);
+    model.global = {panel.nodes(), panel.elements(), part.element_ids};
+    model.smallest_edge = std::min(smallest_difference(panel.x), smallest_difference(panel.y));
+    build_groups(scene, panel, part, model);
+    std::vector<double> areas;
+    for (std::size_t e = 0; e < part.element_ids.size(); ++e) areas.push_back(shell::make_quad(corners_of(part, e), 0).area);
+    lump_mass(scene, panel, part, areas, comm, model);
+    build_surface(scene, panel, part, areas, model.surface);
+    model.links = halo_links(model.halo);
+    model.assembly = Assembly(largest_force(scene));
+    if (scene.projectile) {
+        const auto& p = *scene.projectile;
+        model.projectile =
+            contact::ProjectileState{Vec3(p.position[0], p.position[1], p.position[2]), Vec3(p.velocity[0], p.velocity[1], p.velocity[2])};
+        if (scene.contact.projectile)
+            model.projectile_contact.emplace(p, *scene.contact.projectile, scene.contact.spacing, model.surface, model.nodes.x);
+    }
+    if (scene.contact.plies && panel.plies.size() > 1)
+        model.ply_contact.emplace(*scene.contact.plies, scene.contact.spacing, model.surface, model.nodes.x);
+    return model;
+}
+
+}  // namespace weavefront::solver

@@ -1,0 +1,245 @@
+#include "weavefront/solver/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "weavefront/solver/guard.hpp"
+
+namespace weavefront::solver {
+
+namespace {
+
+// Packs whose forces are buffered between the kernel and the sums: small enough for the second-level cache.
+constexpr std::int32_t packs_at_once = 64;
+
+// The time step follows its bound every so many steps; in between the bound changes by far less than the safety factor leaves.
+constexpr std::int64_t steps_between_checks = 10;
+
+// A time step not more than this factor below its bound is kept: a change costs new relaxation coefficients.
+constexpr double worth_raising = 1.05;
+
+/// Contact springs act across the plies; loaded from both sides, the highest mode of a stack has omega^2 = 4 k/m per area.
+double contact_frequency_squared(const scene::Scene& scene) {
+    double lightest = std::numeric_limits<double>::max();
+    for (const auto& ply : scene.target->plies)
+        lightest = std::min(lightest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density);
+    double stiffness = 0;
+    if (scene.contact.plies && scene.target->plies.size() > 1) stiffness += 4 * scene.contact.plies->stiffness;
+    if (scene.contact.projectile && scene.projectile) stiffness += scene.contact.projectile->stiffness;
+    return stiffness / lightest;
+}
+
+std::string place_of(const mesh::Panel& panel, std::int64_t element) {
+    const auto corners = panel.footprint(element % panel.columns());
+    const Vec3 centre = (panel.position(0, corners[0]) + panel.position(0, corners[2])) / 2;
+    return fmt::format("element {} (ply {}, at x = {:.4g} mm, y = {:.4g} mm)", element, element / panel.columns() + 1, centre.x() * 1e3,
+                       centre.y() * 1e3);
+}
+
+}  // namespace
+
+Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& comm)
+    : scene_(scene),
+      comm_(comm),
+      panel_(mesh::make_panel(scene)),
+      model_(build_model(scene, panel_, comm)),
+      multiplicity_(panel_.multiplicity()) {
+    pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
+    contact_frequency_squared_ = contact_frequency_squared(scene);
+    counts_.first_break.assign(panel_.plies.size(), std::numeric_limits<double>::max());
+    if (model_.projectile) {
+        initial_projectile_ = model_.projectile->position;
+        initial_energy_ = scene.projectile->mass * model_.projectile->velocity.squaredNorm() / 2;
+    }
+    energy_ = parallel::FixedPoint(initial_energy_ > 0 ? initial_energy_ : 1);
+    adapt_time_step();
+    update_candidates();
+}
+
+void Simulation::advance_forces() {
+    model_.assembly.start(model_.nodes.force);
+    advance_elements();
+    evaluate_contact();
+    sum_over_ranks();
+    if (steps_ % steps_between_checks == 0) adapt_time_step();
+}
+
+void Simulation::integrate() {
+    const Timed timed(seconds_, Phase::integrate);
+    move_nodes();
+    update_ghosts(comm_, model_.links, model_.nodes);
+    count_contact_work(dt_);
+    for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
+    just_eroded_.clear();
+    if (candidates_outdated_) update_candidates();
+}
+
+void Simulation::advance_elements() {
+    const Timed timed(seconds_, Phase::elements);
+    shell::Events events;
+    for (const auto& group : model_.groups)
+        for (std::int32_t first = 0; first < group->packs(); first += packs_at_once) {
+            const auto count = std::min(packs_at_once, group->packs() - first);
+            group->advance(first, count, model_.nodes.x, pack_forces_, events);
+            model_.assembly.add_packs(*group, first, count, pack_forces_, model_.nodes.force);
+        }
+    note(events);
+}
+
+void Simulation::note(const shell::Events& events) {
+    counts_.broken_yarns += events.broken_fill + events.broken_warp;
+    counts_.eroded_elements += static_cast<std::int64_t>(events.eroded.size());
+    for (const auto element : events.broken) {
+        auto& first = counts_.first_break[static_cast<std::size_t>(model_.surface.facets[static_cast<std::size_t>(element)].ply)];
+        first = std::min(first, time_);
+    }
+    for (const auto& erosion : events.eroded) {
+        just_eroded_.push_back(erosion.element);
+        eroded_work_ += energy_.from(erosion.work);
+        eroded_friction_ += energy_.from(erosion.friction);
+        eroded_hourglass_ += energy_.from(erosion.hourglass);
+    }
+}
+
+void Simulation::evaluate_contact() {
+    const Timed timed(seconds_, Phase::contact);
+    const auto& nodes = model_.nodes;
+    pairs_.clear();
+    on_projectile_ = {};
+    if (model_.projectile_contact)
+        model_.projectile_contact->evaluate(model_.surface, nodes.x, nodes.v, *model_.projectile, last_dt_, pairs_);
+    if (model_.ply_contact) model_.ply_contact->evaluate(model_.surface, nodes.x, nodes.v, last_dt_, pairs_);
+    for (const auto& pair : pairs_) model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
+    count_contact_work(last_dt_);
+}
+
+void Simulation::count_contact_work(double dt) {
+    const auto& v = model_.nodes.v;
+    for (const auto& pair : pairs_) {
+        double power = pair.on_projectile ? -pair.total.dot(model_.projectile->velocity) : 0;
+        for (std::size_t a = 0; a < 4; ++a) {
+            power += pair.on_slave[a].dot(v[static_cast<std::size_t>(pair.slave[a])]);
+            if (!pair.on_projectile) power += pair.on_master[a].dot(v[static_cast<std::size_t>(pair.master[a])]);
+        }
+        const double work = -power * dt / 2;
+        if (energy_.fits(work)) contact_work_ += energy_.from(work);
+    }
+}
+
+void Simulation::sum_over_ranks() {
+    const Timed timed(seconds_, Phase::halo);
+    model_.links.forces.sum(comm_, model_.nodes.force);
+    const bool faulty = model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact();
+    std::array<std::int64_t, 6> sums{on_projectile_[0],   on_projectile_[1],
+                                     on_projectile_[2],   static_cast<std::int64_t>(just_eroded_.size()),
+                                     moved_far() ? 1 : 0, faulty ? 1 : 0};
+    comm_.sum(sums);
+    projectile_force_ = whole_force({sums[0], sums[1], sums[2]});
+    candidates_outdated_ = sums[3] > 0 || sums[4] > 0;
+    if (sums[5] > 0) stop_at_fault();
+}
+
+void Simulation::stop_at_fault() const {
+    constexpr auto none = std::numeric_limits<std::int64_t>::max();
+    const auto local = model_.assembly.faulty_element();
+    std::int64_t element = local < 0 ? none : model_.global.element_ids[static_cast<std::size_t>(local)];
+    comm_.min({&element, 1});
+    const auto limit = 1024 * model_.assembly.scale().quantum() * 0x1p44;
+    const auto where = element == none ? std::string("a contact point") : place_of(panel_, element);
+    throw GuardStop(
+        fmt::format("the force of {} is not finite or above {:.3g} N at t = {:.6g} us, step {}: the deformation has become unstable; "
+                    "try a smaller time.safety",
+                    where, limit, time_ * 1e6, steps_));
+}
+
+Vec3 Simulation::whole_force(const FixedVector& on_part) const {
+    Vec3 force = multiplicity_ * model_.assembly.value(on_part);
+    for (int d = 0; d < 2; ++d)
+        if (panel_.symmetry[static_cast<std::size_t>(d)]) force[d] = 0;  // the mirror image pushes back
+    return force;
+}
+
+void Simulation::adapt_time_step() {
+    const Timed timed(seconds_, Phase::elements);
+    double omega_squared = 0;
+    for (const auto& group : model_.groups) {
+        const auto condition = group->condition(model_.nodes.x);
+        omega_squared = std::max(omega_squared, condition.omega_squared);
+        counts_.inverted = std::max(counts_.inverted, static_cast<std::int64_t>(condition.inverted.size()));
+    }
+    omega_squared = comm_.max(omega_squared) + contact_frequency_squared_;
+    const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);
+    if (!(bound > 0)) throw GuardStop(fmt::format("the time step vanished at t = {:.6g} us, step {}", time_ * 1e6, steps_));
+    if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
+    dt_ = bound;
+    for (const auto& group : model_.groups) group->set_time_step(dt_);
+}
+
+Vec3 Simulation::acceleration(std::size_t node) const {
+    Vec3 a = model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node];
+    for (int d = 0; d < 3; ++d)
+        if (model_.nodes.supports[node] & (1U << static_cast<unsigned>(d))) a[d] = 0;
+    return a;
+}
+
+Vec3 Simulation::next_velocity(std::size_t node) const {
+    const double step = (last_dt_ + dt_) / 2, drag = scene_.damping * step / 2;
+    const Vec3 push = step * acceleration(node);
+    if (drag == 0) return model_.nodes.v[node] + push;
+    return ((1 - drag) * model_.nodes.v[node] + push) / (1 + drag);
+}
+
+void Simulation::move_nodes() {
+    auto& nodes = model_.nodes;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
+        const Vec3 v = next_velocity(n);
+        if (scene_.damping > 0 && nodes.owned[n]) damping_work_ += energy_.from(damping_work(n, v, last_dt_, dt_));
+        nodes.v[n] = v;
+        nodes.x[n] += dt_ * v;
+    }
+    if (model_.projectile) {
+        model_.projectile->velocity += (last_dt_ + dt_) / 2 / scene_.projectile->mass * projectile_force_;
+        model_.projectile->position += dt_ * model_.projectile->velocity;
+    }
+    time_ += dt_;
+    last_dt_ = dt_;
+    ++steps_;
+}
+
+bool Simulation::moved_far() const {
+    if (candidate_positions_.empty()) return false;
+    // Footprints of facets may approach by the skin of two edges: each of a pair by one, half of it kept for the step that is under way.
+    const double limit = model_.smallest_edge / 2;
+    const auto far = [limit](const Vec3& now, const Vec3& then) {
+        return std::abs(now.x() - then.x()) > limit || std::abs(now.y() - then.y()) > limit;
+    };
+    if (model_.projectile && far(model_.projectile->position, candidate_projectile_)) return true;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(model_.nodes.count); ++n)
+        if (far(model_.nodes.x[n], candidate_positions_[n])) return true;
+    return false;
+}
+
+void Simulation::update_candidates() {
+    candidates_outdated_ = false;
+    if (!model_.projectile_contact && !model_.ply_contact) return;
+    const double skin = 2 * model_.smallest_edge;
+    auto& nodes = model_.nodes;
+    if (model_.ply_contact) {
+        if (comm_.size() > 1) model_.links = rebuild_ghosts(comm_, model_.halo, model_.ply_contact->reach() + skin, model_.surface, nodes);
+        model_.ply_contact->update_candidates(model_.surface, nodes.x, skin);
+    }
+    if (model_.projectile_contact) {
+        model_.projectile_contact->update_candidates(model_.surface, nodes.x, *model_.projectile, skin);
+        candidate_projectile_ = model_.projectile->position;
+    }
+    candidate_positions_.assign(nodes.x.begin(), nodes.x.begin() + nodes.count);
+}
+
+shell::ElementOutput Simulation::element_output(std::int32_t element) const {
+    const auto place = model_.places[static_cast<std::size_t>(element)];
+    return model_.groups[static_cast<std::size_t>(place.group)]->output(place.index, model_.nodes.x);
+}
+
+}  // namespace weavefront::solver

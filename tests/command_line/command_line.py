@@ -1,0 +1,70 @@
+"""What the program says and returns for a command line, before any scene is computed. Usage: command_line.py WEAVEFRONT"""
+
+import os
+import subprocess
+import sys
+import tempfile
+
+BAD_SCENE = "titel: x\nfabrics: {a: 3}\n"
+
+# arguments, exit status, how each line on stderr begins
+CASES = [
+    (["--help"], 0, []),
+    (["run", "--help"], 0, []),
+    (["--version"], 0, []),
+    ([], 2, ["A subcommand is required"]),
+    (["rnu", "a.yaml"], 2, ["subcommand 'rnu': unknown, allowed run, check, cell, yarn, did you mean 'run'?"]),
+    (["explode"], 2, ["subcommand 'explode': unknown, allowed run, check, cell, yarn"]),
+    (["v50", "a.yaml"], 2, ["subcommand 'v50': not available in this version"]),
+    (["study"], 2, ["subcommand 'study': not available in this version"]),
+    (["partition", "a.yaml", "--ranks", "4"], 2, ["subcommand 'partition': not available in this version"]),
+    (["run", "a.yaml", "--outptu", "d"], 2, ["option '--outptu': unknown, allowed --help, "]),
+    (["run", "a.yaml", "--restart", "c.h5"], 2, ["option '--restart': not available in this version"]),
+    (["run", "--restart=c.h5"], 2, ["option '--restart': not available in this version"]),
+    (["run", "a.yaml", "--rebalance"], 2, ["option '--rebalance': not available in this version"]),
+    (["--vresion"], 2, ["option '--vresion': unknown, allowed --help, --version, did you mean '--version'?"]),
+    (["run"], 2, [""]),
+    (["check", "no_such_file.yaml"], 3, ["no_such_file.yaml: cannot be read: No such file or directory"]),
+    (
+        ["check", "--set", "title=x", "--set", "fabrics.b.yarn=1", "bad.yaml"],
+        2,
+        [
+            "bad.yaml:1:1: target: found nothing, allowed a map with keys size, ",
+            "bad.yaml:1:1: time: found nothing, allowed a map with keys end, ",
+            "bad.yaml:1:1: output: found nothing, allowed a map with keys interval, ",
+            "bad.yaml:1:1: titel: found an unknown key, allowed title, ",
+            "bad.yaml:2:14: fabrics.a: found '3', allowed a map with keys formulation, ",
+            "--set fabrics.b.yarn=1: fabrics.b.yarn: found 'b', allowed the name of a fabric of the scene",
+        ],
+    ),
+]
+
+
+def call(program, arguments, rank=None):
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(("OMPI_COMM", "PMI"))}
+    if rank is not None:
+        environment["OMPI_COMM_WORLD_RANK"] = str(rank)
+    return subprocess.run([program, *arguments], capture_output=True, text=True, env=environment, timeout=60)
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        with open("bad.yaml", "w") as file:
+            file.write(BAD_SCENE)
+        for arguments, status, beginnings in CASES:
+            result = call(program, arguments)
+            lines = result.stderr.splitlines()
+            assert result.returncode == status, (arguments, result)
+            assert len(lines) == len(beginnings), (arguments, lines)
+            for line, beginning in zip(lines, beginnings):
+                assert line.startswith("weavefront: error: " + beginning), (arguments, line)
+            assert bool(result.stdout) == (status == 0), (arguments, result.stdout)
+
+            # What all ranks find alike is told by the first one, in its status too: a failure elsewhere would kill it before it has printed.
+            other_rank = call(program, arguments, rank=1)
+            assert (other_rank.returncode, other_rank.stdout, other_rank.stderr) == (3 if status == 3 else 0, "", ""), (arguments, other_rank)
+
+
+main()

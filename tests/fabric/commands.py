@@ -1,0 +1,113 @@
+"""`weavefront cell` and `weavefront yarn` from the files that they read to the files that they write. Usage: commands.py WEAVEFRONT SCENE"""
+
+import csv
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+E1, KA, TAU = 96e9, 192e9, 35e6 / 384e9
+RATES = [0.001, 10, 30, 50, 70, 100, 150, 200, 300, 500]
+FAILURES = {0.001: (3.300, 20), 10: (3.391, 20), 30: (3.573, 20), 50: (3.756, 20), 70: (3.937, 20), 100: (4.202, 20), 150: (4.101, 19),
+            200: (3.803, 19), 300: (3.442, 19), 500: (3.134, 19)}
+CELL_COLUMNS = ("time,lambda_fill,lambda_warp,theta,h_fill,strain_fill,strain_warp,stress_fill,stress_warp,contact_factor,stress_xx,stress_yy,"
+                "stress_xy,broken_fill,broken_warp").split(",")
+
+
+def call(program, *arguments):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=60)
+
+
+def rows_of(path):
+    with open(path) as file:
+        reader = csv.DictReader(file)
+        return reader.fieldnames, [{name: float(value) for name, value in row.items()} for row in reader]
+
+
+def check_yarn(program, scene):
+    result = call(program, "yarn", scene, "--rates", ",".join(map(str, RATES)), "--out", "yarn.csv")
+    assert result.returncode == 0, result
+    columns, rows = rows_of("yarn.csv")
+    assert columns == ["rate", "time", "strain", "stress", "failure"], columns
+    for rate in RATES:
+        curve = [row for row in rows if row["rate"] == rate]
+        assert 100 < len(curve) <= 402, len(curve)
+        for row in curve:
+            time = row["time"]
+            closed = E1 * rate * time + (KA - E1) * rate * TAU * -math.expm1(-time / TAU)
+            # exact at any step but for rounding, at most 1e-16 of Ka in each of 10^5 steps
+            assert abs(row["stress"] - closed) < 1e-11 * KA, (row, closed)
+        strain, criterion = FAILURES[rate]
+        assert curve[-1]["failure"] == criterion and all(row["failure"] == 0 for row in curve[:-1]), rate
+        assert abs(100 * curve[-1]["strain"] / strain - 1) < 2e-4, (rate, curve[-1])  # four digits are given
+
+
+def check_cell(program, scene):
+    angle = math.radians(5)
+    with open("path.csv", "w") as file:
+        file.write("time,F11,F12,F21,F22\r\n1e-3,1,0,0,1\r\n")
+        for i in range(1, 101):  # equibiaxial stretch in a turning frame
+            stretch, turn = 1 + 3e-4 * i, angle * i
+            c, s = stretch * math.cos(turn), stretch * math.sin(turn)
+            file.write(f"{1e-3 + 1e-6 * i!r},{c!r}, {-s!r},{s!r},+{c!r}\n" if c >= 0 else f"{1e-3 + 1e-6 * i!r},{c!r},{-s!r},{s!r},{c!r}\n")
+    result = call(program, "cell", scene, "--path", "path.csv", "--out", "cell.csv", "--fabric", "kevlar129")
+    assert result.returncode == 0, result
+    columns, rows = rows_of("cell.csv")
+    assert columns == CELL_COLUMNS, columns
+    assert len(rows) == 101 and rows[0]["stress_xx"] == 0 and rows[0]["lambda_fill"] == 1
+    last = rows[-1]
+    half, height = 0.909e-3 / 2, 0.82e-3 / 4
+    strain = math.hypot(1.03 * half, height) / math.hypot(half, height) - 1
+    assert abs(last["strain_fill"] - strain) < 1e-14 and abs(last["strain_warp"] - strain) < 1e-14
+    assert abs(last["lambda_warp"] - 1.03) < 1e-14 and abs(last["theta"] - math.pi / 4) < 1e-14
+    assert abs(last["h_fill"] - height) < 1e-12 * height  # nothing but rounding tells the yarns apart
+    # Cauchy stress: n/lambda^2 of either yarn over t_e
+    slope = 1.03 * half / math.hypot(1.03 * half, height)
+    stress = last["stress_fill"] * 6.48e-8 * slope / 0.909e-3 / 1.03 / (0.204 / 1440)
+    assert abs(last["stress_xx"] / stress - 1) < 1e-12 and abs(last["stress_yy"] / stress - 1) < 1e-12, (last, stress)
+    assert abs(last["stress_xy"]) < 1e-6 * stress
+    assert last["broken_fill"] == 0 and last["contact_factor"] == 0
+
+
+REFUSALS = [
+    ("time,F1l,F12,F21\n", ["1:6: found column 'F1l', allowed the columns time,F11,F12,F21,F22, in this order, did you mean 'F11'?",
+                            "1:17: found no column 'F22'"]),
+    ("time,F11,F12,F21,F22\n", ["1:1: found no row"]),
+    ("", ["1:1: found nothing"]),
+    ("time,F11,F12,F21,F22\n0,1,0.1,0,1\n", ["2:3: found a deformed first row"]),
+    ("time,F11,F12,F21,F22\n0,1,0,0,1\n1, 1,x,0,1\n2,1,0,1\n0,1,0,0,1\n3,-1,0,0,1\n4,nan,0,0,1\n",
+     ["3:6: F12: found 'x', allowed a finite number", "4:1: found 4 fields, allowed 5", "5:1: time: found 0, allowed more than the 0",
+      "6:3: found F with determinant -1", "7:3: F11: found 'nan'"]),
+]
+
+
+def check_refusals(program, scene):
+    for text, findings in REFUSALS:
+        with open("bad.csv", "w") as file:
+            file.write(text)
+        result = call(program, "cell", scene, "--path", "bad.csv", "--out", "never.csv")
+        lines = result.stderr.splitlines()
+        assert result.returncode == 2 and len(lines) == len(findings), (text, result)
+        for line, finding in zip(lines, findings):
+            assert f"bad.csv:{finding}" in line, (line, finding)
+    for arguments, finding in [(["--rates", "0,-1"], "--rates: found 0, allowed positive"), (["--rates", "ten"], ""),
+                               (["--rates", "5", "--fabric", "kevlar128"], "did you mean 'kevlar129'?")]:
+        result = call(program, "yarn", scene, "--out", "never.csv", *arguments)
+        assert result.returncode == 2 and finding in result.stderr, (arguments, result)
+    result = call(program, "yarn", scene, "--rates", "5", "--out", "no/such/folder.csv")
+    assert result.returncode == 3, result
+    assert sorted(os.listdir()) == ["bad.csv", "cell.csv", "path.csv", "yarn.csv"], os.listdir()
+
+
+def main():
+    program, scene = (os.path.abspath(argument) for argument in sys.argv[1:3])
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        check_yarn(program, scene)
+        check_cell(program, scene)
+        check_refusals(program, scene)
+
+
+if __name__ == "__main__":
+    main()

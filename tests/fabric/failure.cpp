@@ -1,0 +1,92 @@
+/// Failure strains of IT04 figure 10 through the kernel of straight yarns.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "material_point.hpp"
+
+namespace weavefront::test {
+namespace {
+
+constexpr fabric::Features yarn{.formulation = consistent, .viscous = true, .failure = true};
+
+struct Failure {
+    double strain = 0, stress = 0;
+    int criterion = 0;
+};
+
+/// Strains a yarn at a constant rate until it breaks, in strain steps of 1e-6.
+Failure break_at(double rate) {
+    scene::Fabric fabric = kevlar129();
+    fabric.thickness = 0;
+    const double increment = 1e-6;
+    MaterialPoint<yarn> point(fabric, increment / rate);
+    for (int i = 1; i < 50000; ++i) {
+        const double before = point.state.sigma_f;
+        point.advance({.lambda_f = 1 + i * increment});
+        if (point.state.intact_f != 0.0) continue;
+        EXPECT_EQ(point.state.sigma_f, 0.0);
+        EXPECT_EQ(point.state.N_f, 0.0);
+        const fabric::FailureIndex<double> index = fabric::failure_index(point.constants, i * increment, before);
+        return {i * increment, before, index.primary > index.secondary ? 19 : 20};
+    }
+    return {};
+}
+
+TEST(Failure, StrainsOfFigure10) {
+    struct Expected {
+        double rate, strain;
+        int criterion;
+    };
+    for (const Expected& e : {Expected{0.001, 0.03300, 20},
+                              {10, 0.03391, 20},
+                              {30, 0.03573, 20},
+                              {50, 0.03756, 20},
+                              {70, 0.03937, 20},
+                              {100, 0.04202, 20},
+                              {150, 0.04101, 19},
+                              {200, 0.03803, 19},
+                              {300, 0.03442, 19},
+                              {500, 0.03134, 19}}) {
+        const Failure failure = break_at(e.rate);
+        // the reference values have four digits, and a break is found at the end of its step
+        EXPECT_NEAR(failure.strain, e.strain, 6.1e-6) << e.rate;
+        EXPECT_EQ(failure.criterion, e.criterion) << e.rate;
+    }
+}
+
+TEST(Failure, CriteriaSwapAt117PerSecond) {
+    EXPECT_EQ(break_at(116).criterion, 20);
+    EXPECT_EQ(break_at(118).criterion, 19);
+}
+
+TEST(Failure, UltimateStressHardlyGrowsBeyond100PerSecond) {
+    const double limit = 192e9 * 0.027;  // (19): Ka eps_a_max
+    EXPECT_LT(break_at(50).stress, 0.90 * limit);
+    EXPECT_NEAR(break_at(150).stress / limit, 1, 1e-3);
+    EXPECT_NEAR(break_at(500).stress / limit, 1, 1e-3);
+}
+
+TEST(Failure, ABrokenYarnStaysBrokenAndItsPartnerStraightens) {
+    constexpr fabric::Features F{.formulation = consistent, .crimp = true, .failure = true};
+    scene::Fabric fabric = kevlar129();
+    fabric.elastic.viscosity = 0;
+    MaterialPoint<F> point(fabric, 1e-9);
+    double lambda = 1.0;
+    while (point.state.intact_f == 1.0 && lambda < 1.5)
+        point.advance({.lambda_f = lambda += 1e-4, .lambda_w = 0.65});  // the warp has room to take the crimp
+    ASSERT_EQ(point.state.intact_f, 0.0);
+    EXPECT_EQ(point.state.intact_w, 1.0);
+    const double slack = 2 * point.constants.length / point.constants.span;
+    for (int i = 0; i < 5; ++i) point.advance({.lambda_f = 1.0, .lambda_w = slack - 0.01});
+    EXPECT_EQ(point.state.intact_f, 0.0);
+    EXPECT_EQ(point.state.N_f, 0.0);
+    EXPECT_NEAR(point.state.N_w, 0.0, 1e-6 * 192e9 * point.constants.area / point.constants.span);
+    point.advance({.lambda_f = 1.0, .lambda_w = slack * 1.01});
+    EXPECT_NEAR(point.state.h_f, point.constants.thickness / 2, 1e-15);  // warp straight, fill takes all the crimp
+    EXPECT_NEAR(point.state.N_w, 96e9 * 0.01 * point.constants.area / point.constants.span, 1.0);
+}
+
+}  // namespace
+}  // namespace weavefront::test

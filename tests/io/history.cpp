@@ -1,0 +1,84 @@
+#include "weavefront/io/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "scratch_directory.hpp"
+#include "weavefront/io/file_error.hpp"
+
+namespace weavefront::io {
+namespace {
+
+const char* const header =
+    "time,projectile_x,projectile_y,projectile_z,projectile_vx,projectile_vy,projectile_vz,contact_fx,contact_fy,contact_fz,kinetic_fabric,"
+    "kinetic_projectile,internal,hourglass,contact,friction,damping,external,eroded,energy_error,broken_yarns,eroded_elements,"
+    "max_displacement,time_step";
+
+// Every column has a value of its own, so an exchange of two shows.
+HistoryRow numbered_row() {
+    return {.time = 0.1,
+            .projectile = {2, 3, 4},
+            .projectile_velocity = {5, 6, 7},
+            .contact_force = {8, 9, 10},
+            .kinetic_fabric = 11,
+            .kinetic_projectile = 12,
+            .internal = 13,
+            .hourglass = 14,
+            .contact = 15,
+            .friction = 16,
+            .damping = 17,
+            .external = 18,
+            .eroded = 19,
+            .energy_error = 20,
+            .broken_yarns = 9007199254740993,  // not a double
+            .eroded_elements = 22,
+            .max_displacement = 23,
+            .time_step = 24};
+}
+
+const char* const numbered_line = "0.10000000000000001,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,9007199254740993,22,23,24";
+
+TEST(History, HoldsTheColumnsInTheirOrderAtFullPrecision) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    History history(directory / "history.csv", comm);
+    history.write(numbered_row());
+    history.write(numbered_row());
+    // Read while the table is open: a row counts once it is written.
+    if (comm.rank() == 0) {
+        EXPECT_EQ(content(directory / "history.csv"), std::string(header) + "\n" + numbered_line + "\n" + numbered_line + "\n");
+    }
+}
+
+TEST(History, RefusesWhatIsNotFinite) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    History history(directory / "history.csv", comm);
+    for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        auto row = numbered_row();
+        row.hourglass = value;
+        EXPECT_NE(message_of<NotFinite>([&] { history.write(row); }).find("column hourglass"), std::string::npos);
+    }
+    if (comm.rank() == 0) {
+        EXPECT_EQ(content(directory / "history.csv"), std::string(header) + "\n");
+    }
+}
+
+TEST(History, FailsOnAllRanksWhereItCannotBeCreated) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    const auto path = directory / "missing/history.csv";
+    const auto message = message_of<FileError>([&] { const History history(path, comm); });
+    EXPECT_EQ(message, path.string() + " cannot be created: No such file or directory");
+}
+
+TEST(History, FailsOnAllRanksWhenTheDiskIsFull) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const auto message = message_of<FileError>([&] { const History history("/dev/full", comm); });
+    EXPECT_EQ(message, "/dev/full cannot be written: No space left on device");
+}
+
+}  // namespace
+}  // namespace weavefront::io

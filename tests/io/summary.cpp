@@ -1,0 +1,85 @@
+#include "weavefront/io/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scratch_directory.hpp"
+#include "weavefront/io/file_error.hpp"
+
+namespace weavefront::io {
+namespace {
+
+Summary sample() {
+    return {.status = "stopped",
+            .reason = "energy \"error\"",
+            .versions = {{"weavefront", "1.2.3"}},
+            .scene_hash = "0123456789abcdef",
+            .title = "Tïtle",
+            .ranks = 2,
+            .elements = 3,
+            .nodes = 4,
+            .steps = 5,
+            .time = 0.1,
+            .wall_seconds = {{.name = "elements", .min = 1, .mean = 2, .max = 3}},
+            .element_steps = 15,
+            .nanoseconds_per_element_step = 250.5,
+            .residual_velocity = -12.25,
+            .max_displacement = 0.0141,
+            .energy_error = 1e-4,
+            .broken_yarns = 7,
+            .eroded_elements = 8,
+            .first_break = {2.5e-5, std::nullopt},
+            .left_out = {"friction"}};
+}
+
+TEST(Summary, HoldsEveryKey) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    write_summary(directory / "summary.json", sample(), comm);
+    if (comm.rank() != 0) return;
+    const auto expected = nlohmann::json::parse(R"({
+        "status": "stopped", "reason": "energy \"error\"", "versions": {"weavefront": "1.2.3"}, "scene_hash": "0123456789abcdef",
+        "title": "Tïtle", "ranks": 2, "elements": 3, "nodes": 4, "steps": 5, "time": 0.1,
+        "wall_seconds": {"elements": {"min": 1.0, "mean": 2.0, "max": 3.0}}, "element_steps": 15,
+        "nanoseconds_per_element_step": 250.5, "residual_velocity": -12.25, "max_displacement": 0.0141, "energy_error": 1e-4,
+        "broken_yarns": 7, "eroded_elements": 8, "first_break": [2.5e-5, null], "left_out": ["friction"]})");
+    EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json")), expected);
+    EXPECT_FALSE(std::filesystem::exists(directory / "summary.json.new"));
+}
+
+TEST(Summary, SaysNullWithoutAProjectile) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    auto summary = sample();
+    summary.residual_velocity.reset();
+    write_summary(directory / "summary.json", summary, comm);
+    if (comm.rank() == 0) {
+        EXPECT_TRUE(nlohmann::json::parse(content(directory / "summary.json"))["residual_velocity"].is_null());
+    }
+}
+
+TEST(Summary, KeepsTheOldFileRatherThanWriteWhatIsNotFinite) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    write_summary(directory / "summary.json", sample(), comm);
+    const auto before = content(directory / "summary.json");
+    auto summary = sample();
+    summary.wall_seconds[0].mean = std::nan("");
+    EXPECT_EQ(message_of<NotFinite>([&] { write_summary(directory / "summary.json", summary, comm); }), "summary: mean is not finite");
+    if (comm.rank() == 0) {
+        EXPECT_EQ(content(directory / "summary.json"), before);
+    }
+}
+
+TEST(Summary, FailsOnAllRanksWhereItCannotBeCreated) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    const auto path = directory / "missing/summary.json";
+    EXPECT_EQ(message_of<FileError>([&] { write_summary(path, sample(), comm); }),
+              path.string() + " cannot be written: No such file or directory");
+}
+
+}  // namespace
+}  // namespace weavefront::io

@@ -1,0 +1,59 @@
+"""Whatever the moment at which its writer is killed, a results file opens and all the frames it counts are right:
+survive_kill.py WRITER MPIEXEC"""
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import model
+
+FRAMES = 2000  # more than a writer lives to write
+KILLS = 36
+
+
+def kill_writer(command, ranks, path, delay):
+    """Starts the writer and kills its processes `delay` seconds after the file has its name (before, when negative)."""
+    writer = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    pids = [int(writer.stdout.readline()) for _ in range(ranks)]
+    if delay < 0:
+        time.sleep(-delay)
+    else:
+        while not path.exists():
+            assert writer.poll() is None, "the writer ended by itself"
+            time.sleep(0.001)
+        time.sleep(delay)
+    assert writer.poll() is None, "the writer ended by itself"
+    for pid in pids:
+        os.kill(pid, signal.SIGKILL)
+    writer.wait()
+    writer.stdout.close()
+
+
+def main():
+    writer, mpiexec = sys.argv[1:]
+    random.seed(1)
+    counted = []
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "results.vtkhdf"
+        for kill in range(KILLS):
+            ranks = 2 if kill % 3 == 2 else 1
+            command = ([mpiexec, "-n", str(ranks)] if ranks > 1 else []) + [writer, str(path), str(FRAMES), str(FRAMES), "1"]
+            # Every fourth kill falls into the creation of the file, over one that a killed run left.
+            early = kill % 4 == 3
+            if not early:
+                path.unlink(missing_ok=True)
+            kill_writer(command, ranks, path, -random.uniform(0, 0.2) if early else random.uniform(0, 0.15))
+            if path.exists():
+                # The two numbers that publish a frame are written one right after the other: a kill may fall between them.
+                counted.append(model.check_frames(path, surplus_times=1))
+    print("frames read:", counted)
+    assert len(counted) >= 30, "too few kills left a file"
+    assert max(counted) > 5 and len(set(counted)) > 10, "the kills did not fall among the frames"
+
+
+main()

@@ -124,7 +124,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     summary.nanoseconds_per_element_step =
         wall * 1e9 * comm_.size() / static_cast<double>(std::max<std::int64_t>(summary.element_steps, 1));
     if (scene_.projectile) summary.residual_velocity = last.projectile_velocity.z();
-    summary.max_displacement = last.max_displacement;
+    summary.max_displacement = simulation.counts().max_displacement;
     summary.energy_error = last.energy_error;
     summary.broken_yarns = last.broken_yarns;
     summary.eroded_elements = last.eroded_elements;
@@ -137,7 +137,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
                           summary.reason));
     if (summary.residual_velocity)
         log_.info(fmt::format("  projectile    {:.2f} m/s along z, largest displacement {:.3f} mm", *summary.residual_velocity,
-                              last.max_displacement * 1e3));
+                              summary.max_displacement * 1e3));
     log_.info(
         fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded", last.broken_yarns, last.eroded_elements));
     log_.info(fmt::format("  energy        closes within {:.3g} % of the initial energy, hourglass {:.3g} J, contact {:.3g} J",

@@ -50,6 +50,7 @@ Lanes closing_rates(const VectorLanes& slave, const VectorLanes& master, const V
 PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
     : plies_(surface.plies), quadrature_(spacing), points_(static_cast<std::size_t>(surface.owned)) {
     for (const auto& ply : plies_) {
+        most_touching_ = std::max(most_touching_, ply.thickness);
         depth_ = std::max(depth_, deepest_in_thicknesses * ply.thickness);
         for (const auto& other : plies_)
             laws_.emplace_back(law, ply.areal_density * other.areal_density / (ply.areal_density + other.areal_density));
@@ -73,7 +74,7 @@ double PlyContact::touching_distance(std::int32_t ply, std::int32_t other) const
 void PlyContact::find_near(const Surface& surface, std::int32_t f, std::span<const Vec3> x) {
     near_.clear();
     const auto& facet = surface.facets[static_cast<std::size_t>(f)];
-    const auto& a = boxes_[static_cast<std::size_t>(f)];
+    const auto box = boxes_.of(f);
     const auto corners = corners_of(facet.nodes, x);
     const Vec3 centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
     const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
@@ -81,12 +82,11 @@ void PlyContact::find_near(const Surface& surface, std::int32_t f, std::span<con
     for (const auto& corner : corners) front = std::max(front, (corner - centre).dot(normal));
     for (const auto other : candidates_.of(f)) {
         const auto o = static_cast<std::size_t>(other);
-        const auto& b = boxes_[o];
+        // Most candidates lie wholly ahead: the cheapest test comes first.
+        if (boxes_.z_low[o] > box.high.z() + most_touching_ || !boxes_.meet(o, box, depth_) || !surface.alive[o]) continue;
         const auto ply = surface.facets[o].ply;
         const double touching = touching_distance(facet.ply, ply);
-        if (!surface.alive[o] || b.low.z() > a.high.z() + touching || b.high.z() < a.low.z() - depth_ || b.low.x() > a.high.x() + depth_ ||
-            b.high.x() < a.low.x() - depth_ || b.low.y() > a.high.y() + depth_ || b.high.y() < a.low.y() - depth_)
-            continue;
+        if (boxes_.z_low[o] > box.high.z() + touching) continue;
         // Seen along the normal of this facet the other must not lie wholly ahead of its foremost corner; a line at a slant only meets it
         // later.
         const auto others = corners_of(surface.facets[o].nodes, x);
@@ -161,9 +161,7 @@ bool PlyContact::evaluate_facet(std::int32_t f, const Surface& surface, std::spa
 void PlyContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                           std::vector<PairForce>& forces) {
     normals_.new_positions();
-    boxes_.resize(surface.facets.size());
-    for (std::size_t f = 0; f < surface.facets.size(); ++f)
-        if (surface.alive[f]) boxes_[f] = Box::around(surface.facets[f], x);
+    boxes_.update(surface, x);
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         if (!surface.alive[static_cast<std::size_t>(f)]) continue;
         find_near(surface, f, x);

@@ -1,6 +1,5 @@
 #include "weavefront/contact/ray.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace weavefront::contact {
@@ -34,6 +33,11 @@ constexpr double at_rest = 1e-10;
 // Parent coordinates of a line that misses the facet by far; they are held there, so that the iteration stays finite.
 constexpr double far_away = 8;
 
+double within(double coordinate) {
+    const double above = coordinate > -far_away ? coordinate : -far_away;
+    return above < far_away ? above : far_away;
+}
+
 /// The facet seen along the lines: two coordinates across each, and one along it.
 struct View {
     Bilinear u, w, along;
@@ -66,15 +70,15 @@ double newton(const View& v, RayHits& hits, Lanes& change) {
         const double rw = v.w.c0[i] + v.w.c1[i] * xi + (v.w.c2[i] + v.w.c3[i] * xi) * eta;
         const double u_xi = v.u.c1[i] + v.u.c3[i] * eta, u_eta = v.u.c2[i] + v.u.c3[i] * xi;
         const double w_xi = v.w.c1[i] + v.w.c3[i] * eta, w_eta = v.w.c2[i] + v.w.c3[i] * xi;
-        const double determinant = u_xi * w_eta - u_eta * w_xi;
-        const double inverse = determinant != 0 ? 1 / determinant : 0;
-        const double new_xi = std::clamp(xi - (ru * w_eta - rw * u_eta) * inverse, -far_away, far_away);
-        const double new_eta = std::clamp(eta - (u_xi * rw - w_xi * ru) * inverse, -far_away, far_away);
-        change[i] = determinant != 0 ? std::abs(new_xi - xi) + std::abs(new_eta - eta) : 1;
+        const double determinant = u_xi * w_eta - u_eta * w_xi, inverse = 1 / (determinant != 0 ? determinant : 1.0);
+        const double new_xi = within(xi - (ru * w_eta - rw * u_eta) * inverse), new_eta = within(eta - (u_xi * rw - w_xi * ru) * inverse);
+        change[i] = determinant != 0 ? std::abs(new_xi - xi) + std::abs(new_eta - eta) : 1.0;
         hits.xi[i] = new_xi;
         hits.eta[i] = new_eta;
     }
-    return *std::max_element(change.of, change.of + batch_width);
+    double largest = 0;
+    for (std::size_t i = 0; i < batch_width; ++i) largest = change[i] > largest ? change[i] : largest;
+    return largest;
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class Agreement {
     /// The same on one rank only.
     template <class Action>
     void attempt_on_root(Action&& action) {
-        if (comm_->rank() == 0) action();
+        if (comm_->rank() == 0) attempt(action);
     }
 
     /// @throws Error on all ranks, with the text of the lowest rank that failed since the last call

@@ -3,6 +3,7 @@
 /// The element group of one set of features.
 
 #include <cmath>
+#include <utility>
 
 #include "weavefront/fabric/cell.hpp"
 #include "weavefront/fabric/pack.hpp"
@@ -143,27 +144,33 @@ class FeatureGroup final : public ElementGroup {
             const auto index = pack * pack_width + lane;
             const auto at = static_cast<std::size_t>(index);
             if (index >= size() || !alive(index)) continue;
-            const bool fill = after.intact_f.get(lane) != before.intact_f.get(lane),
-                       warp = after.intact_w.get(lane) != before.intact_w.get(lane);
-            const double hourglass_before = hourglass_energy_[at];
-            hourglass_energy_[at] = hourglass.get(lane);
-            if (!fill && !warp) continue;
-            events.broken_fill += fill;
-            events.broken_warp += warp;
+            const double last_hourglass = std::exchange(hourglass_energy_[at], hourglass.get(lane));
+            const double whole_before = before.intact_f.get(lane) + before.intact_w.get(lane);
+            const double whole = after.intact_f.get(lane) + after.intact_w.get(lane);
+            if (whole == whole_before) continue;
+            events.broken_fill += after.intact_f.get(lane) != before.intact_f.get(lane);
+            events.broken_warp += after.intact_w.get(lane) != before.intact_w.get(lane);
             events.broken.push_back(elements_[at]);
-            const double intact = after.intact_f.get(lane) + after.intact_w.get(lane);
-            if (any_yarn_ ? intact == 2 : intact > 0) continue;
-            for (std::size_t i = 0; i < forces_per_pack / pack_width; ++i) forces[i * pack_width + static_cast<std::size_t>(lane)] = 0;
-            const double forward = (after.N_f.get(lane) * (after.lambda_f.get(lane) - before.lambda_f.get(lane)) +
-                                    after.N_w.get(lane) * (after.lambda_w.get(lane) - before.lambda_w.get(lane)) +
-                                    after.m.get(lane) * (after.phi.get(lane) - before.phi.get(lane))) /
-                                   2;
-            const double area = quad(index, 6);
-            hourglass_energy_[at] = (hourglass_before + hourglass.get(lane)) / 2;
-            auto left = erode(index);
-            left.work -= forward * area;
-            events.eroded.push_back(left);
+            const bool eroded = any_yarn_ ? whole < 2 : whole == 0;
+            // Potential per whole yarn before and now; the nodes felt the mean of both shares over the step.
+            const double per_yarn = last_hourglass / whole_before, per_yarn_now = whole > 0 ? hourglass.get(lane) / whole : per_yarn;
+            events.lost_hourglass.push_back((whole_before - (eroded ? 0 : whole)) * (per_yarn + per_yarn_now) / 2);
+            if (eroded) events.eroded.push_back(erode_lane(index, before, after, forces));
         }
+    }
+
+    Events::Erosion erode_lane(std::int32_t index, const fabric::State<Pack>& before, const fabric::State<Pack>& after, double* forces) {
+        const int lane = index % pack_width;
+        for (std::size_t i = 0; i < forces_per_pack / pack_width; ++i) forces[i * pack_width + static_cast<std::size_t>(lane)] = 0;
+        const double forward = (after.N_f.get(lane) * (after.lambda_f.get(lane) - before.lambda_f.get(lane)) +
+                                after.N_w.get(lane) * (after.lambda_w.get(lane) - before.lambda_w.get(lane)) +
+                                after.m.get(lane) * (after.phi.get(lane) - before.phi.get(lane))) /
+                               2;
+        hourglass_energy_[static_cast<std::size_t>(index)] = 0;
+        const double area = quad(index, 6);
+        auto left = erode(index);
+        left.work -= forward * area;
+        return left;
     }
 
     static bool any_yarn_erodes(const scene::Fabric& fabric) { return fabric.failure && fabric.failure->erode == scene::Erode::any_yarn; }

@@ -79,6 +79,7 @@ Balance Simulation::balance() {
     }
     balance.energy_error = initial_energy_ > 0 ? (balance.total() - initial_energy_) / initial_energy_ : 0;
     counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, balance.contact);
+    counts_.max_displacement = std::max(counts_.max_displacement, balance.max_displacement);
     return balance;
 }
 

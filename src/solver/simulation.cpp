@@ -95,6 +95,7 @@ void Simulation::note(const shell::Events& events) {
         auto& first = counts_.first_break[static_cast<std::size_t>(model_.surface.facets[static_cast<std::size_t>(element)].ply)];
         first = std::min(first, time_);
     }
+    for (const double lost : events.lost_hourglass) eroded_hourglass_ += energy_.from(lost);
     for (const auto& erosion : events.eroded) {
         just_eroded_.push_back(erosion.element);
         eroded_work_ += energy_.from(erosion.work);

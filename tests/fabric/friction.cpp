@@ -111,6 +111,24 @@ TEST(Friction, YarnsStickBelowTheStickAngle) {
     EXPECT_NEAR(point.state.friction_work, 0, 1e-6 * 2 * point.state.friction_limit * 4e-4 / (0.909e-3 * 0.909e-3));
 }
 
+TEST(Friction, WhatIsStoredWhileStickingNeverGrowsByItself) {
+    MaterialPoint<rubbing> point(elastic_kevlar129(), 1e-9);
+    const auto go = [&point](double lambda, double from, double to) {
+        for (int i = 0; i <= 100; ++i)
+            point.advance({.lambda_f = lambda, .lambda_w = lambda, .theta = 45 * degree + from + (to - from) * i / 100});
+    };
+    const double angle = 5e-4;
+    go(1.02, 0, angle);  // half-way to slip
+    const double tight = point.state.friction_limit;
+    go(1.01, angle, angle);
+    const double loose = point.state.friction_limit;
+    go(1.01, angle, 0);
+    EXPECT_NEAR(loose / tight, 0.5, 0.02);
+    // M angle^2/(2e-3) went in under the tight grip and came back under the loose one; M moves by less than 1e-3 over this turn
+    const double s = point.constants.span, expected = 2 / (s * s) * (tight - loose) * angle * angle / (2 * fabric::stick_angle);
+    EXPECT_NEAR(point.state.friction_work / expected, 1, 4e-3);
+}
+
 TEST(Friction, OnlyYarnsThatPressRub) {
     MaterialPoint<rubbing> point(elastic_kevlar129(), 1e-9);
     for (int i = 1; i <= 20; ++i) point.advance({.lambda_f = 0.98, .lambda_w = 0.98, .theta = (45 + i) * degree});

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "material_point.hpp"
@@ -48,6 +49,26 @@ TEST(Lateral, StrainIncrementsOfAPureTrellis) {
             EXPECT_NEAR(dE.yy, dtheta / std::tan(middle), 10 * dtheta * dtheta * dtheta + 1e-14);
             EXPECT_NEAR(dE.xy, 0, 1e-14);
         }
+    }
+}
+
+TEST(Lateral, StrainsAndStressesTurnIntoTheYarnsAxes) {
+    const fabric::PlaneTensor<double> E{0.3, -0.2, 0.7};
+    const double c = std::cos(30 * degree), s = std::sin(30 * degree);
+    for (const double side : {s, -s}) {
+        const std::array<double, 2> along{c, side}, across{-side, c};
+        const auto component = [&E](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+            return a[0] * b[0] * E.xx + a[1] * b[1] * E.yy + (a[0] * b[1] + a[1] * b[0]) * E.xy;
+        };
+        const fabric::LateralStrain<double> strain = fabric::lateral_strain(E, c, side);
+        EXPECT_NEAR(strain.eps_22, component(across, across), 1e-15);
+        EXPECT_NEAR(strain.gamma_12, 2 * component(along, across), 1e-15);
+        // and back
+        const fabric::PlaneTensor<double> again =
+            fabric::to_bisector_frame(component(along, along), component(across, across), component(along, across), c, side);
+        EXPECT_NEAR(again.xx, E.xx, 1e-15);
+        EXPECT_NEAR(again.yy, E.yy, 1e-15);
+        EXPECT_NEAR(again.xy, E.xy, 1e-15);
     }
 }
 

@@ -76,6 +76,16 @@ TEST(Stiffness, BoundsEveryDirectionOfTheTangent) {
     EXPECT_GT(tightest, 0.5);  // not a bound for its own sake
 }
 
+TEST(Stiffness, StickingYarnsResistTheAngle) {
+    MaterialPoint<F> point(kevlar129(), 1e-9);
+    point.advance({.lambda_f = 1.02, .lambda_w = 1.02});
+    const double bound = fabric::stiffness_bound<F>(point.constants, point.state).angle;
+    const double dtheta = 1e-5, s = point.constants.span;
+    point.advance({.lambda_f = 1.02, .lambda_w = 1.02, .theta = 45 * degree + dtheta});
+    // m/2 is conjugate to psi = 2 theta; the slip moment is flat at 45 deg
+    EXPECT_NEAR(point.state.friction_moment / (s * s) / (2 * dtheta) / bound, 1, 1e-4);
+}
+
 TEST(Stiffness, AtRestItIsTheInstantaneousModulus) {
     const MaterialPoint<F> point(kevlar129(), 1e-9);
     const fabric::Stiffness<double> k = fabric::stiffness_bound<F>(point.constants, point.state);

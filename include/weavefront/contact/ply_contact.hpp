@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "weavefront/contact/candidates.hpp"
+#include "weavefront/contact/facet_boxes.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/quadrature.hpp"
@@ -63,12 +64,13 @@ class PlyContact {
 
     std::vector<PlyProperties> plies_;
     std::vector<PenaltyLaw> laws_;  ///< by the two plies
+    double most_touching_ = 0;      ///< largest distance at which plies touch, m
     double depth_ = 0;              ///< overlaps deeper than this are not looked for, m
     Quadrature quadrature_;
     std::vector<std::int32_t> rules_;  ///< of the owned facets
     Candidates candidates_;
     NodalNormals normals_;
-    std::vector<Box> boxes_;                  ///< of all facets now
+    FacetBoxes boxes_;                        ///< now
     std::vector<Near> near_;                  ///< nearest ply first, in it the nearest centre first
     std::vector<std::int32_t> pair_of_;       ///< of each of `near_`: its place among the forces, or -1
     std::vector<std::vector<Batch>> points_;  ///< of the owned facets; empty where they do not touch

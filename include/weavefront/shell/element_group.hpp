@@ -38,7 +38,8 @@ struct Events {
         double work, hourglass, friction;  ///< that it leaves behind, J
     };
     std::vector<Erosion> eroded;
-    std::vector<std::int32_t> broken;  ///< local elements in which a yarn broke
+    std::vector<double> lost_hourglass;  ///< hourglass potential that broken yarns no longer hold, J
+    std::vector<std::int32_t> broken;    ///< local elements in which a yarn broke
 };
 
 /// Energies of one element, J.

@@ -20,6 +20,7 @@ struct Counts {
     std::int64_t broken_yarns = 0, eroded_elements = 0;
     std::vector<double> first_break;   ///< by ply, s; largest double: none
     std::int64_t inverted = 0;         ///< elements found turned over, at the checks
+    double max_displacement = 0;       ///< largest of the rows, m
     double lowest_contact_energy = 0;  ///< J, over the rows: below zero contact gave energy
 };
 

@@ -1,0 +1,52 @@
+"""A run that cannot go on stops with status 1, one message and readable files: guard.py WEAVEFRONT SCENE"""
+
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import runs
+
+
+def check_files(output):
+    """All files are whole, the last frame shows the state at the stop, and nothing in them is NaN or infinite."""
+    summary, rows = runs.summary(output), runs.history(output)
+    assert summary["status"] == "stopped", summary["status"]
+    assert rows and all(np.isfinite(list(row.values())).all() for row in rows)
+    with h5py.File(output / "results.vtkhdf") as file:
+        steps = file["VTKHDF/Steps"]
+        frames = int(steps.attrs["NSteps"])
+        times = steps["Values"][:frames]
+        assert times[-1] == summary["time"] and times[-1] >= rows[-1]["time"], (times[-1], summary["time"])
+
+        def check(name, item):
+            if isinstance(item, h5py.Dataset) and item.dtype.kind == "f":
+                assert np.isfinite(item[()]).all(), f"{name} is not finite"
+
+        file.visititems(check)
+    return summary
+
+
+def check_stop(program, scene, output, overrides, cause):
+    """The run stops because of `cause` and says so once."""
+    message = program.run(scene, output, overrides, status=1).strip()
+    print(message)
+    assert cause in message and len(message.splitlines()) == 1, message
+    assert check_files(output)["reason"] in message
+
+
+def main():
+    program, scene = runs.Program(sys.argv[1]), sys.argv[2]
+    with tempfile.TemporaryDirectory() as folder:
+        balance = ["limits.energy_error=1e-9"]
+        check_stop(program, scene, Path(folder) / "balance", balance, "energy balance")
+        # Straight elastic yarns at 1.2 times the bound, with nothing that takes energy: the step is past the limit of stability.
+        unstable = ["time.safety=1.2", "fabrics.kevlar129.thickness=0", "fabrics.kevlar129.elastic.viscosity=0", "fabrics.kevlar129.failure=",
+                    "fabrics.kevlar129.lateral=", "damping=0", "target.plies={count: 1, fabric: kevlar129}", "target.mesh={center: 2 mm}"]
+        check_stop(program, scene, Path(folder) / "unstable", unstable, "energy balance")
+        check_stop(program, scene, Path(folder) / "blown up", [*unstable, "limits.energy_error=1e300", "time.end=1 ms"], "time.safety")
+
+
+main()

@@ -1,0 +1,36 @@
+"""A perforation computed by 1 to 4 ranks leaves the same files: rank_invariance.py WEAVEFRONT MPIEXEC H5DIFF SCENE"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import runs
+
+
+def check_perforated(output):
+    """The scene does what it is here for: all plies break in turn, elements go, plies press on each other, the projectile leaves."""
+    summary, rows = runs.summary(output), runs.history(output)
+    breaks = summary["first_break"]
+    print("first breaks:", breaks, "eroded:", summary["eroded_elements"], "contact:", rows[-1]["contact"])
+    assert all(time is not None for time in breaks), "a ply is whole"
+    assert summary["eroded_elements"] >= 4 * 4 and summary["residual_velocity"] > 100
+    # Ahead of the undeformed last ply by more than the fabric still moves, and no longer slowed.
+    assert rows[-1]["projectile_z"] > 10e-3
+    assert abs(rows[-1]["contact_fz"]) < 0.05 * max(abs(row["contact_fz"]) for row in rows)
+
+
+def main():
+    weavefront, mpiexec, h5diff, scene = sys.argv[1:]
+    program = runs.Program(weavefront, mpiexec)
+    with tempfile.TemporaryDirectory() as folder:
+        outputs = [Path(folder) / f"on {ranks} of them" for ranks in range(1, 5)]
+        for ranks, output in enumerate(outputs, start=1):
+            program.run(scene, output, ranks=ranks)
+        check_perforated(outputs[0])
+        for output in outputs[1:]:
+            assert runs.history_bytes(output) == runs.history_bytes(outputs[0]), f"{output}: history.csv differs"
+            subprocess.run([h5diff, str(outputs[0] / "results.vtkhdf"), str(output / "results.vtkhdf")], check=True)
+
+
+main()

@@ -152,9 +152,8 @@ class FeatureGroup final : public ElementGroup {
             events.broken_warp += after.intact_w.get(lane) != before.intact_w.get(lane);
             events.broken.push_back(elements_[at]);
             const bool eroded = any_yarn_ ? whole < 2 : whole == 0;
-            // Potential per whole yarn before and now; the nodes felt the mean of both shares over the step.
-            const double per_yarn = last_hourglass / whole_before, per_yarn_now = whole > 0 ? hourglass.get(lane) / whole : per_yarn;
-            events.lost_hourglass.push_back((whole_before - (eroded ? 0 : whole)) * (per_yarn + per_yarn_now) / 2);
+            // The hourglass potential is let go with the first yarn; the nodes felt it for half of the step, which changed it but little.
+            events.lost_hourglass.push_back(last_hourglass);
             if (eroded) events.eroded.push_back(erode_lane(index, before, after, forces));
         }
     }

@@ -31,10 +31,11 @@ def check_files(output):
 
 def check_stop(program, scene, output, overrides, cause):
     """The run stops because of `cause` and says so once."""
-    message = program.run(scene, output, overrides, status=1).strip()
-    print(message)
-    assert cause in message and len(message.splitlines()) == 1, message
-    assert check_files(output)["reason"] in message
+    lines = program.run(scene, output, overrides, status=1).splitlines()
+    errors = [line for line in lines if not line.startswith("warning: ")]
+    print(errors)
+    assert len(errors) == 1 and cause in errors[0], lines
+    assert check_files(output)["reason"] in errors[0]
 
 
 def main():

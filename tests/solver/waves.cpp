@@ -22,7 +22,8 @@ double wave_speed(const parallel::Communicator& comm, const std::string& element
         simulation, [](const Vec3& x) { return x; }, [&](const Vec3& x) { return Vec3(amplitude * mode(x), 0, 0); });
     const auto& nodes = simulation.model().nodes;
     const auto part = [&] {
-        return sum_over_nodes(simulation, comm, 0.0, [&](std::size_t n) { return nodes.mass[n] * nodes.v[n].x() * mode(nodes.initial[n]); });
+        return sum_over_nodes(simulation, comm, 0.0,
+                              [&](std::size_t n) { return nodes.mass[n] * nodes.v[n].x() * mode(nodes.initial[n]); });
     };
     // Of a harmonic motion with equal steps, (v(t - dt) + v(t + dt))/(2 v(t)) = cos(omega dt).
     advance(simulation, 1);

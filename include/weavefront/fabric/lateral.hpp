@@ -23,7 +23,7 @@ template <class Real>
 template <class Real>
 WEAVEFRONT_INLINE void pack_yarns(const Constants& c, State<Real>& state, const Real& lambda_f, const Real& lambda_w,
                                   const Trellis<Real>& before, const Trellis<Real>& now, const Real& dtheta, Forces<Real>& n) {
-    const Real alpha = contact_factor(c, state.phi);
+    const Real alpha = contact_factor(c, state.phi) * (state.intact_f * state.intact_w);  // a broken yarn leaves room
     const MaskOf<Real> packed = alpha > 0.0;
     Real p_f = 0.0, p_w = 0.0, q = 0.0;
     if (any(packed)) {
@@ -49,15 +49,16 @@ WEAVEFRONT_INLINE void pack_yarns(const Constants& c, State<Real>& state, const 
 template <class Real>
 WEAVEFRONT_INLINE void pack_yarns_as_printed(const Constants& c, State<Real>& state, const PlaneTensor<Real>& strain,
                                              const Trellis<Real>& now) {
-    state.alpha = contact_factor(c, state.phi);
+    const Real whole = state.intact_f * state.intact_w;  // a broken yarn leaves room
+    state.alpha = contact_factor(c, state.phi) * whole;
     const Real E2 = state.alpha * c.lateral_modulus;
     const Real G12 = state.alpha * c.shear_modulus;
     const LateralStrain<Real> fill = lateral_strain(strain, now.cos_theta, now.sin_theta);
     const LateralStrain<Real> warp = lateral_strain(strain, now.cos_theta, Real(-now.sin_theta));
-    state.sigma_22_f += E2 * fill.eps_22;
-    state.sigma_12_f += G12 * fill.gamma_12;
-    state.sigma_22_w += E2 * warp.eps_22;
-    state.sigma_12_w += G12 * warp.gamma_12;
+    state.sigma_22_f = (state.sigma_22_f + E2 * fill.eps_22) * whole;
+    state.sigma_12_f = (state.sigma_12_f + G12 * fill.gamma_12) * whole;
+    state.sigma_22_w = (state.sigma_22_w + E2 * warp.eps_22) * whole;
+    state.sigma_12_w = (state.sigma_12_w + G12 * warp.gamma_12) * whole;
 }
 
 }  // namespace weavefront::fabric

@@ -22,16 +22,15 @@ inline double largest_eigenvalue(const std::array<double, 3>& M, const std::arra
 /// elements bounds the whole model.
 ///
 /// The membrane's quadratic form is at most sum M_ij |dg_i| |dg_j| over the yarn vectors with M from the tangent bounds k of the cell:
-/// M_ff = k_f + (2 k_lateral + k_angle)/lambda_f^2, M_fw = k_angle/(lambda_f lambda_w), because |d(2 theta)| <= |dg_f|/lambda_f +
-/// |dg_w|/lambda_w and d ln(lambda_w sin 2theta) = dlambda_w/lambda_w + cot(2 theta) d(2 theta), whose angle part k_angle holds.
+/// M_ff = k_f + k_lateral + k_angle/lambda_f^2, M_fw = k_angle/(lambda_f lambda_w), because |d(2 theta)| <= |dg_f|/lambda_f +
+/// |dg_w|/lambda_w.
 /// With dg = B du and G = B B^T the frequency is 4 lambda_max(M G)/areal density. Hourglass modes are orthogonal to B in a parallelogram
 /// (the larger counts); otherwise the two are added.
 template <class State>
 double critical_frequency_squared(const Quad<double>& quad, const fabric::Stiffness<double>& k, const State& state,
                                   const HourglassStiffness& hourglass, double areal_density) {
     const double f = 1 / state.lambda_f, w = 1 / state.lambda_w;
-    const std::array<double, 3> M{k.yarn_f + (2 * k.lateral + k.angle) * f * f, k.angle * f * w,
-                                  k.yarn_w + (2 * k.lateral + k.angle) * w * w};
+    const std::array<double, 3> M{k.yarn_f + k.lateral + k.angle * f * f, k.angle * f * w, k.yarn_w + k.lateral + k.angle * w * w};
     const std::array<double, 3> G{2 * (quad.Bf1 * quad.Bf1 + quad.Bf2 * quad.Bf2), 2 * std::abs(quad.Bf1 * quad.Bw1 + quad.Bf2 * quad.Bw2),
                                   2 * (quad.Bw1 * quad.Bw1 + quad.Bw2 * quad.Bw2)};
     const double membrane = 4 * largest_eigenvalue(M, G) / areal_density;

@@ -24,21 +24,20 @@ struct HourglassForce {
     Real energy;            ///< J
 };
 
-/// Forces of the potential Phi = k_i |q|^2/2 + (k_w - k_i) (q . n)^2/2, n the unit normal of g_f x g_w. All derivatives are taken, so
-/// the two stiffnesses may differ without making or losing energy.
-/// @param normal g_f x g_w
-/// @param length |normal|, > 0
+/// Forces of the potential Phi = k_i |q|^2/2 + (k_w - k_i) |m| (q . n)^2/2 with m = g_f x g_w and n = m/|m|. All derivatives are taken, so
+/// the two stiffnesses may differ without making or losing energy; the factor |m|, the present over the initial area, keeps them finite
+/// where an element collapses to a line and n is not defined.
+/// @param m      g_f x g_w
+/// @param length |m|, > 0
 template <class Real>
 HourglassForce<Real> hourglass_force(const HourglassStiffness& stiffness, const Quad<Real>& quad, const Kinematics<Real>& k,
-                                     const Vector<Real>& normal, const Real& length) {
+                                     const Vector<Real>& m, const Real& length) {
     const Real k_i = Real(stiffness.in_plane) * quad.shape, excess = Real(stiffness.warping - stiffness.in_plane) * quad.shape;
-    const Real per_length = Real(1.0) / length;
-    const auto n = per_length * normal;
-    const Real q_n = dot(k.q, n);
-    const auto q_t = k.q - q_n * n;
-    const Real turning = excess * q_n * per_length;  // q . dn = q_t . d(g_f x g_w)/|g_f x g_w|
-    return {k_i * k.q + (excess * q_n) * n, turning * cross(k.g_w, q_t), turning * cross(q_t, k.g_f),
-            Real(0.5) * (k_i * dot(k.q, k.q) + excess * q_n * q_n)};
+    const auto n = (Real(1.0) / length) * m;
+    const Real q_n = dot(k.q, n), pressed = excess * q_n;
+    const auto turning = pressed * k.q - (Real(0.5) * pressed * q_n) * n;  // dPhi/dm
+    return {k_i * k.q + (pressed * length) * n, cross(k.g_w, turning), cross(turning, k.g_f),
+            Real(0.5) * (k_i * dot(k.q, k.q) + pressed * q_n * length)};
 }
 
 }  // namespace weavefront::shell

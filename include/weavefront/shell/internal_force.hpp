@@ -43,9 +43,9 @@ ElementForces<Real> internal_force(const fabric::Constants& constants, const fab
     };
     auto P_f = resultant(xx + xc, xs + yy, lambda_f), P_w = resultant(xx - xc, xs - yy, lambda_w);
 
-    // A broken yarn resists no hourglass mode either: the cell keeps the share of the yarns that are whole.
+    // The modes stand for yarns of both directions held by each other: a cell with a broken yarn no longer resists them.
     auto resisting = quad;
-    if constexpr (F.failure) resisting.shape = quad.shape * (Real(0.5) * (state.intact_f + state.intact_w));
+    if constexpr (F.failure) resisting.shape = quad.shape * (state.intact_f * state.intact_w);
     const auto normal = cross(k.g_f, k.g_w);
     const auto hg = hourglass_force(hourglass, resisting, k, normal, sqrt(max(dot(normal, normal), tiny)));
     P_f = P_f + hg.P_f;

@@ -1,0 +1,67 @@
+/// The graded line: what was asked for, and mirror symmetry.
+
+#include "weavefront/mesh/graded_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace weavefront::test {
+namespace {
+
+using mesh::graded_line;
+
+/// Sizes of the elements from `fine` outwards on one side, as asked for.
+double asked_size(const scene::PanelMesh& mesh, std::size_t k) {
+    return std::min(mesh.center * std::pow(mesh.growth, static_cast<double>(k)), mesh.edge);
+}
+
+TEST(GradedLine, KeepsItsEndsAndItsFinePointAndNoElementIsLargerThanAskedFor) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> one(0, 1);
+    for (int n = 0; n < 1000; ++n) {
+        const double low = -0.1 * one(random), high = 0.1 * one(random);
+        const double fine = n % 10 == 0 ? low : n % 10 == 1 ? high : low + (high - low) * one(random);
+        const scene::PanelMesh mesh{.center = 1e-3, .edge = 1e-3 * (1 + 3 * one(random)), .growth = 1 + 0.2 * one(random)};
+        const auto line = graded_line(low, high, fine, mesh);
+        ASSERT_EQ(line.front(), low);
+        ASSERT_EQ(line.back(), high);
+        const auto at = std::ranges::find(line, fine);
+        ASSERT_NE(at, line.end());
+        const auto i_fine = static_cast<std::size_t>(at - line.begin());
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            const double size = line[i + 1] - line[i];
+            const double asked = asked_size(mesh, i >= i_fine ? i - i_fine : i_fine - 1 - i);
+            ASSERT_GT(size, 0);
+            ASSERT_LT(size, asked * (1 + 2e-6)) << n;  // a remainder of a millionth of an element makes no element of its own
+        }
+    }
+}
+
+TEST(GradedLine, IsNotFinerThanNeeded) {
+    // one element fewer a side could not fill it with elements of the sizes asked for
+    const scene::PanelMesh mesh{.center = 1e-3, .edge = 3e-3, .growth = 1.08};
+    const auto line = graded_line(0, 0.1016, 0, mesh);
+    double reached = 0;
+    for (std::size_t k = 0; k + 2 < line.size(); ++k) reached += asked_size(mesh, k);
+    EXPECT_LT(reached, 0.1016);
+}
+
+TEST(GradedLine, OfEqualElementsHasAsManyAsFit) {
+    // 0.1/0.001 is 100 whatever the rounding of the sum of a hundred thousandths
+    EXPECT_EQ(graded_line(0, 0.1, 0, {.center = 1e-3, .edge = 1e-3, .growth = 1}).size(), 101U);
+    EXPECT_EQ(graded_line(-0.1, 0.1, 0, {.center = 1e-3, .edge = 1e-3, .growth = 1}).size(), 201U);
+}
+
+TEST(GradedLine, MirrorsToTheLastBitAndHalfOfItIsTheHalfModel) {
+    const scene::PanelMesh mesh{.center = 0.7e-3, .edge = 3.1e-3, .growth = 1.07};
+    const auto whole = graded_line(-0.1016, 0.1016, 0, mesh), half = graded_line(0, 0.1016, 0, mesh);
+    ASSERT_EQ(whole.size(), 2 * half.size() - 1);
+    for (std::size_t i = 0; i < whole.size(); ++i) ASSERT_EQ(whole[i], -whole[whole.size() - 1 - i]);
+    for (std::size_t i = 0; i < half.size(); ++i) ASSERT_EQ(half[i], whole[half.size() - 1 + i]);
+}
+
+}  // namespace
+}  // namespace weavefront::test

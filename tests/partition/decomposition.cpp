@@ -1,0 +1,83 @@
+/// Decompositions: complete, balanced, repeatable.
+
+#include "weavefront/partition/decomposition.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "graded_target.hpp"
+#include "weavefront/partition/cost.hpp"
+
+namespace weavefront::test {
+namespace {
+
+using partition::decompose;
+
+TEST(Decomposition, IsBalancedAndCompact) {
+    const auto scene = graded_target();
+    const auto panel = mesh::make_panel(scene);
+    const auto costs = partition::column_costs(panel, scene);
+    for (const int parts : {2, 3, 4, 6, 8, 16, 24, 32, 48, 64}) {
+        const auto decomposition = decompose(panel, costs, parts);
+        const auto quality = partition::quality_of(decomposition, panel, costs);
+        EXPECT_LT(quality.imbalance, 1.05) << parts;
+        EXPECT_GE(quality.imbalance, 1) << parts;
+        // compact parts of n columns have about 4 sqrt(n) faces; scattered ones would have 4 n
+        EXPECT_LT(static_cast<double>(quality.cut_edges), 3 * std::sqrt(static_cast<double>(parts * panel.columns()))) << parts;
+        const auto again = decompose(panel, costs, parts);
+        EXPECT_EQ(decomposition.owner, again.owner) << parts;
+    }
+}
+
+TEST(Decomposition, LeavesNoPartEmptyAndNoColumnOut) {
+    mesh::Panel panel;
+    panel.x = {0, 1, 2, 3, 4, 5};
+    panel.y = {0, 1, 2, 3, 4, 5, 6};
+    panel.plies.resize(2);
+    std::vector<std::int32_t> weights(static_cast<std::size_t>(panel.columns()), 100);
+    weights[14] = 5000;  // one column heavier than all others together tempts METIS to leave parts empty
+    for (int parts = 1; parts <= panel.columns(); ++parts) {
+        const auto decomposition = decompose(panel, weights, parts);
+        std::size_t columns = 0;
+        for (int part = 0; part < parts; ++part) {
+            const auto own = decomposition.columns_of(part);
+            ASSERT_FALSE(own.empty()) << part << " of " << parts;
+            ASSERT_TRUE(std::ranges::is_sorted(own));
+            for (const auto column : own) ASSERT_EQ(decomposition.owner[static_cast<std::size_t>(column)], part);
+            columns += own.size();
+        }
+        ASSERT_EQ(columns, weights.size());
+    }
+    EXPECT_THROW(decompose(panel, weights, static_cast<int>(panel.columns()) + 1), std::invalid_argument);
+}
+
+TEST(Decomposition, QualityCountsTheCutFaces) {
+    mesh::Panel panel;
+    panel.x = {0, 1, 2, 3};
+    panel.y = {0, 1, 2};
+    panel.plies.resize(1);
+    // 0 0 1
+    // 0 1 1
+    const partition::Decomposition decomposition{2, {0, 0, 1, 0, 1, 1}};
+    const auto quality = partition::quality_of(decomposition, panel, std::vector<std::int32_t>{1, 1, 1, 1, 1, 4});
+    EXPECT_EQ(quality.cut_edges, 3);
+    EXPECT_DOUBLE_EQ(quality.imbalance, 6 / 4.5);
+}
+
+TEST(ColumnCosts, ContactCountsUnderTheShotOnly) {
+    auto scene = graded_target();
+    const auto panel = mesh::make_panel(scene);
+    const auto costs = partition::column_costs(panel, scene);
+    const auto middle = static_cast<std::size_t>(panel.columns_y() / 2 * panel.columns_x() + panel.columns_x() / 2);
+    EXPECT_GT(costs[middle], 2 * costs[0]);
+    scene.projectile.reset();
+    const auto still = partition::column_costs(panel, scene);
+    EXPECT_EQ(*std::ranges::min_element(still), *std::ranges::max_element(still));
+    EXPECT_GT(still[0], 0);
+}
+
+}  // namespace
+}  // namespace weavefront::test

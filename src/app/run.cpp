@@ -11,6 +11,7 @@
 #include "left_out.hpp"
 #include "projectile_surface.hpp"
 #include "run_report.hpp"
+#include "weavefront/io/file_error.hpp"
 #include "weavefront/io/history.hpp"
 #include "weavefront/io/log.hpp"
 #include "weavefront/io/output_directory.hpp"
@@ -83,8 +84,10 @@ class Run {
             advance(progress);
         } catch (const solver::GuardStop& stop) {
             stopped = stop.what();
-            write_frame();
+        } catch (const io::NotFinite& refused) {
+            stopped = refused.what();
         }
+        if (stopped) write_frame();
         progress.finish();
         report_.finish(simulation_, last_, stopped, directory_);
         if (stopped) throw GuardStop(*stopped);

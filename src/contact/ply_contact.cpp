@@ -10,6 +10,10 @@ namespace {
 // Pressures of a few GPa press two plies into each other by about their thickness; a point deeper than this has gone through a hole.
 constexpr double deepest_in_thicknesses = 4;
 
+// Both sides of a gap between plies are bilinear over an element, with edges of the other ply's elements in between: more points than this
+// along an edge resolve nothing. (The projectile's edge is finer than any element; its contact knows no such bound.)
+constexpr int most_points = 4;
+
 /// Lines through the points of a batch along the smoothed normals.
 Rays rays_of(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals, const QuadratureBatch& points) {
     Rays rays{interpolate(corners, points.N), interpolate(normals, points.N)};
@@ -48,7 +52,7 @@ Lanes closing_rates(const VectorLanes& slave, const VectorLanes& master, const V
 }  // namespace
 
 PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
-    : plies_(surface.plies), quadrature_(spacing), points_(static_cast<std::size_t>(surface.owned)) {
+    : plies_(surface.plies), quadrature_(spacing, most_points), points_(static_cast<std::size_t>(surface.owned)) {
     for (const auto& ply : plies_) {
         most_touching_ = std::max(most_touching_, ply.thickness);
         depth_ = std::max(depth_, deepest_in_thicknesses * ply.thickness);

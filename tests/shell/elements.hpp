@@ -80,7 +80,7 @@ class Elements {
 
     /// Advances to positions x. @return forces on the corners, N, [element][corner]
     std::vector<Corners> corner_forces(const Positions& x) {
-        std::vector<double> packed(static_cast<std::size_t>(group->packs()) * shell::forces_per_pack);
+        shell::AlignedVector<double> packed(static_cast<std::size_t>(group->packs()) * shell::forces_per_pack);
         group->advance(0, group->packs(), x, packed, events);
         std::vector<Corners> forces(mesh_.elements.size());
         for (std::size_t e = 0; e < forces.size(); ++e) {

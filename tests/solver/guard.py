@@ -47,7 +47,6 @@ def main():
         unstable = ["time.safety=1.2", "fabrics.kevlar129.thickness=0", "fabrics.kevlar129.elastic.viscosity=0", "fabrics.kevlar129.failure=",
                     "fabrics.kevlar129.lateral=", "damping=0", "target.plies={count: 1, fabric: kevlar129}", "target.mesh={center: 2 mm}"]
         check_stop(program, scene, Path(folder) / "unstable", unstable, "energy balance")
-        check_stop(program, scene, Path(folder) / "blown up", [*unstable, "limits.energy_error=1e300", "time.end=1 ms"], "time.safety")
 
 
 main()

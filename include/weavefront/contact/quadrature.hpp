@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,7 +29,8 @@ QuadratureRule quadrature(int n, int m);
 class Quadrature {
   public:
     /// @param spacing largest distance between points, m; none: contact at the nodes
-    explicit Quadrature(std::optional<double> spacing) : spacing_(spacing) {}
+    /// @param most    points along an edge at the most
+    explicit Quadrature(std::optional<double> spacing, int most = std::numeric_limits<int>::max()) : spacing_(spacing), most_(most) {}
 
     /// Index of the rule for an element with these corners (m).
     std::int32_t rule_for(const std::array<Vec3, 4>& corners);
@@ -41,6 +43,7 @@ class Quadrature {
         QuadratureRule points;
     };
     std::optional<double> spacing_;
+    int most_;
     std::vector<Rule> rules_;
 };
 

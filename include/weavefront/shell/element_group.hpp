@@ -85,7 +85,7 @@ class ElementGroup {
 
     /// Advances packs [first, first + count) to positions x.
     /// @param x      positions of the local nodes, m
-    /// @param forces count * forces_per_pack doubles, N, [pack][corner][direction][lane]
+    /// @param forces count * forces_per_pack doubles, N, [pack][corner][direction][lane]; 64-byte aligned
     virtual void advance(std::int32_t first, std::int32_t count, std::span<const Eigen::Vector3d> x, std::span<double> forces,
                          Events& events) = 0;
 

@@ -1,0 +1,95 @@
+/// The search for candidates against trying all.
+
+#include "weavefront/contact/candidates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "surfaces.hpp"
+
+namespace weavefront::test {
+namespace {
+
+using contact::Box;
+
+bool near(const Box& a, const Box& b, double reach) {
+    for (int d = 0; d < 2; ++d)
+        if (a.low[d] > b.high[d] + reach || b.low[d] > a.high[d] + reach) return false;
+    return true;
+}
+
+/// Global ids by trying all facets, as the header says it.
+std::vector<std::int64_t> by_trying_all(const contact::Surface& surface, const Positions& x, double reach, std::size_t f) {
+    std::vector<std::int64_t> found;
+    if (!surface.alive[f]) return found;
+    const auto box = Box::around(surface.facets[f], x);
+    bool hole = true;
+    for (auto ply = surface.facets[f].ply + 1; hole && ply < static_cast<std::int32_t>(surface.plies.size()); ++ply) {
+        hole = false;
+        std::vector<std::int64_t> of_ply;
+        for (std::size_t o = 0; o < surface.facets.size(); ++o) {
+            if (surface.facets[o].ply != ply || !near(box, Box::around(surface.facets[o], x), reach)) continue;
+            if (surface.alive[o])
+                of_ply.push_back(surface.facets[o].id);
+            else
+                hole = true;
+        }
+        std::ranges::sort(of_ply);
+        found.insert(found.end(), of_ply.begin(), of_ply.end());
+    }
+    return found;
+}
+
+Plies random_plies(std::mt19937_64& random, double size) {
+    Plies plies;
+    for (int ply = 0; ply < 4; ++ply) {
+        const int n = 5 + ply;
+        plies.add(n, {}, [&](double u, double v) {
+            // graded, so that facets are larger and smaller than the bins, and some fly far off
+            const double far = random() % 60 == 0 ? 50 * size : 0;
+            return Vec3(size * u * u + far + uniform(random, -0.02, 0.02) * size, size * v + uniform(random, -0.02, 0.02) * size, ply);
+        });
+    }
+    for (auto& alive : plies.surface.alive) alive = random() % 8 != 0;
+    return plies;
+}
+
+TEST(Candidates, AreThoseThatTryingAllFinds) {
+    std::mt19937_64 random(9);
+    for (int n = 0; n < 30; ++n) {
+        const auto plies = random_plies(random, 1);
+        for (const double reach : {0.0, 0.03, 0.3}) {
+            const auto candidates = contact::find_candidates(plies.surface, plies.x, reach);
+            ASSERT_EQ(candidates.first.size(), plies.surface.facets.size() + 1);
+            for (std::size_t f = 0; f < plies.surface.facets.size(); ++f) {
+                std::vector<std::int64_t> found;
+                for (const auto other : candidates.of(static_cast<std::int32_t>(f)))
+                    found.push_back(plies.surface.facets[static_cast<std::size_t>(other)].id);
+                ASSERT_EQ(found, by_trying_all(plies.surface, plies.x, reach, f)) << n << ' ' << f;
+            }
+        }
+    }
+}
+
+TEST(Candidates, DoNotDependOnWhichFacetsAreGhosts) {
+    std::mt19937_64 random(10);
+    const auto plies = random_plies(random, 1);
+    std::vector<std::size_t> order(plies.surface.facets.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::ranges::shuffle(order, random);
+    auto part = plies.surface;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        part.facets[i] = plies.surface.facets[order[i]], part.alive[i] = plies.surface.alive[order[i]];
+    part.owned = 40;
+    const auto candidates = contact::find_candidates(part, plies.x, 0.05);
+    ASSERT_EQ(candidates.first.size(), 41U);
+    for (std::int32_t f = 0; f < part.owned; ++f) {
+        std::vector<std::int64_t> found;
+        for (const auto other : candidates.of(f)) found.push_back(part.facets[static_cast<std::size_t>(other)].id);
+        ASSERT_EQ(found, by_trying_all(part, plies.x, 0.05, static_cast<std::size_t>(f)));
+    }
+}
+
+}  // namespace
+}  // namespace weavefront::test

@@ -1,0 +1,103 @@
+/// Plies pressed together.
+
+#include "weavefront/contact/ply_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include "surfaces.hpp"
+
+namespace weavefront::test {
+namespace {
+
+using contact::PlyContact;
+
+constexpr double k = 1e13, side = 10e-3, thickness = 0.14e-3, gap = 0.2e-3;
+const scene::ContactLaw elastic{.stiffness = k, .unloading = 1, .damping = 0};
+
+contact::PlyProperties ply_at(double z) { return {.z = z, .thickness = thickness, .areal_density = 0.2}; }
+
+/// Moves ply 0 by `travel` in equal steps; returns the forces at the end.
+std::vector<contact::PairForce> press(PlyContact& contact, Plies& plies, std::size_t moving, const Vec3& travel) {
+    constexpr int steps = 20;
+    const double dt = 1e-7;
+    Positions v(plies.x.size(), Vec3::Zero());
+    for (std::size_t n = 0; n < moving; ++n) v[n] = travel / (steps * dt);
+    std::vector<contact::PairForce> forces;
+    contact.update_candidates(plies.surface, plies.x, travel.norm());
+    for (int step = 0; step < steps; ++step) {
+        for (std::size_t n = 0; n < moving; ++n) plies.x[n] += dt * v[n];
+        forces.clear();
+        contact.evaluate(plies.surface, plies.x, v, dt, forces);
+    }
+    return forces;
+}
+
+TEST(PlyContact, FlatPliesPushEachOtherByStiffnessOverlapAndArea) {
+    for (const std::optional<double> spacing : {std::optional<double>(), std::optional(0.25e-3)}) {
+        Plies plies;
+        plies.add(8, ply_at(0), flat(side, 0));
+        plies.add(11, ply_at(gap), flat(1.1 * side, gap));  // facets of the two do not lie over each other
+        PlyContact contact(elastic, spacing, plies.surface, plies.x);
+        const double overlap = 0.01e-3, pressure = k * overlap;
+        EXPECT_TRUE(press(contact, plies, 81, {0, 0, gap - thickness - 1e-9}).empty()) << "not yet touching";
+        const auto sum = assemble(press(contact, plies, 81, {0, 0, 1e-9 + overlap}), plies.x);
+        const double force = pressure * side * side;
+        EXPECT_NEAR(sum.on_slaves.z() / -force, 1, 1e-10);
+        EXPECT_LT(sum.on_slaves.head<2>().norm(), 1e-14 * force);
+        EXPECT_LT(sum.net.norm(), 1e-14 * force);
+        EXPECT_LT(sum.moment.norm(), 1e-14 * force * side);
+        // an inner node bears a facet's area, a corner a quarter
+        EXPECT_NEAR(sum.nodal[40].z() / -(force / 64), 1, 1e-10);
+        EXPECT_NEAR(sum.nodal[0].z() / -(force / 256), 1, 1e-10);
+    }
+}
+
+TEST(PlyContact, BumpyPliesKeepMomentumAndAngularMomentum) {
+    std::mt19937_64 random(11);
+    Plies plies;
+    const auto bumpy = [&](double size, double z) {
+        return [&random, size, z](double u, double v) {
+            return Vec3(size * (u - 0.5), size * (v - 0.5), z + 0.3e-3 * std::sin(4 * u) * v + uniform(random, -0.02e-3, 0.02e-3));
+        };
+    };
+    plies.add(8, ply_at(0), bumpy(side, 0));
+    plies.add(11, ply_at(gap), bumpy(1.1 * side, gap));
+    PlyContact contact({.stiffness = k, .unloading = 10, .damping = 0.2}, 0.25e-3, plies.surface, plies.x);
+    const auto forces = press(contact, plies, 81, {0.05e-3, 0.02e-3, 0.15e-3});
+    ASSERT_GT(forces.size(), 50U);
+    const auto sum = assemble(forces, plies.x);
+    EXPECT_LT(sum.net.norm(), 1e-13 * sum.on_slaves.norm());
+    EXPECT_LT(sum.moment.norm(), 1e-9 * sum.on_slaves.norm() * side);  // the lines are found to 1e-10 of a facet
+    for (const auto& pair : forces) {
+        Vec3 slave = Vec3::Zero(), master = Vec3::Zero();
+        for (std::size_t a = 0; a < 4; ++a) slave += pair.on_slave[a], master += pair.on_master[a];
+        ASSERT_LT((slave - pair.total).norm() + (master + pair.total).norm(), 1e-13 * pair.total.norm());
+    }
+}
+
+TEST(PlyContact, ThroughAHoleThePlyBehindIsMet) {
+    Plies plies;
+    plies.add(8, ply_at(0), flat(side, 0));
+    plies.add(8, ply_at(gap), flat(side, gap));
+    plies.add(8, ply_at(2 * gap), flat(side, 2 * gap));
+    for (std::size_t f = 64; f < 128; ++f) plies.surface.alive[f] = 0;  // ply 1 is gone
+    PlyContact contact(elastic, 0.5e-3, plies.surface, plies.x);
+    const double overlap = 0.01e-3;
+    const auto forces = press(contact, plies, 81, {0, 0, 2 * gap - thickness + overlap});
+    for (const auto& pair : forces)
+        for (const auto node : pair.master) ASSERT_GE(node, 162);
+    EXPECT_NEAR(assemble(forces, plies.x).on_slaves.z() / -(k * overlap * side * side), 1, 1e-9);
+}
+
+TEST(PlyContact, PliesThatTouchAtTheStartDoNotPush) {
+    Plies plies;
+    plies.add(4, ply_at(0), flat(side, 0));
+    plies.add(4, ply_at(thickness / 2), flat(side, thickness / 2));  // closer than their thickness
+    PlyContact contact(elastic, 0.5e-3, plies.surface, plies.x);
+    EXPECT_TRUE(press(contact, plies, 25, Vec3::Zero()).empty());
+    const auto sum = assemble(press(contact, plies, 25, {0, 0, 0.01e-3}), plies.x);
+    EXPECT_NEAR(sum.on_slaves.z() / -(k * 0.01e-3 * side * side), 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace weavefront::test

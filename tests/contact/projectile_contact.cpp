@@ -1,0 +1,98 @@
+/// The projectile pressed on plies.
+
+#include "weavefront/contact/projectile_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "surfaces.hpp"
+
+namespace weavefront::test {
+namespace {
+
+constexpr double k = 5e12, side = 8e-3, speed = 100, dt = 1e-8;
+const scene::ContactLaw elastic{.stiffness = k, .unloading = 1, .damping = 0};
+
+/// Presses a projectile `depth` into a flat fixed ply at z = 0; returns the forces.
+contact::PairForce total(const scene::Projectile& projectile, double spacing, double depth, double thickness) {
+    Plies plies;
+    plies.add(8, {.z = 0, .thickness = thickness, .areal_density = 0.2}, flat(side, 0));
+    contact::ProjectileContact contact(projectile, elastic, spacing, plies.surface, plies.x);
+    const Positions v(plies.x.size(), Vec3::Zero());
+    contact::ProjectileState state{{0.013e-3, 0.021e-3, -thickness / 2 - 2.5 * speed * dt}, {0, 0, speed}};
+    contact.update_candidates(plies.surface, plies.x, state, 0.1e-3);
+    std::vector<contact::PairForce> forces;
+    while (state.position.z() + speed * dt <= depth - thickness / 2) {
+        state.position.z() += speed * dt;
+        forces.clear();
+        contact.evaluate(plies.surface, plies.x, v, state, dt, forces);
+    }
+    // the last bit of the way in one short step
+    const double rest = (depth - thickness / 2 - state.position.z()) / speed;
+    state.position.z() = depth - thickness / 2;
+    forces.clear();
+    contact.evaluate(plies.surface, plies.x, v, state, rest, forces);
+    contact::PairForce sum({});
+    for (const auto& pair : forces) {
+        Vec3 nodal = Vec3::Zero();
+        for (const auto& force : pair.on_slave) nodal += force;
+        EXPECT_TRUE(pair.on_projectile);
+        EXPECT_LT((nodal - pair.total).norm(), 1e-14 * pair.total.norm());
+        sum.total += pair.total;
+    }
+    return sum;
+}
+
+TEST(ProjectileContact, AFlatFacePushesByStiffnessDepthAndArea) {
+    const double R = 2.69e-3, depth = 0.02e-3;
+    const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 2 * R, .length = 10e-3};
+    for (const double spacing : {0.5e-3, 0.25e-3, 0.125e-3, 0.0625e-3}) {
+        const Vec3 force = total(cylinder, spacing, depth, 0).total;
+        // only cells that the rim crosses are counted wrongly: those within half a diagonal of it
+        const double ring = 2 * spacing * std::numbers::sqrt2 / R;
+        EXPECT_NEAR(force.z() / (k * depth * std::numbers::pi * R * R), 1, ring / 4) << spacing;
+        EXPECT_EQ(force.x(), 0);
+        EXPECT_EQ(force.y(), 0);
+    }
+}
+
+TEST(ProjectileContact, ASpherePushesByTheIntegralOfItsDepth) {
+    // int k (R - r) cos over the circle of contact; R inflated by half the thickness
+    const double R = 2.7e-3, depth = 0.3e-3, thickness = 0.2e-3;
+    const scene::Projectile sphere{.shape = scene::Shape::sphere, .diameter = 2 * R - thickness};
+    const double h = R - depth;
+    // with s^2 = h^2 + rho^2: int_h^R 2 pi s k (R - s) h/s ds = pi k h depth^2
+    const double closed = std::numbers::pi * k * h * depth * depth;
+    const double coarse = std::abs(total(sphere, 0.25e-3, depth, thickness).total.z() / closed - 1),
+                 fine = std::abs(total(sphere, 0.0625e-3, depth, thickness).total.z() / closed - 1);
+    EXPECT_LT(coarse, 0.02);
+    EXPECT_LT(fine, 0.02 / 16 + 1e-4);
+}
+
+TEST(ProjectileContact, TouchesNothingBesideItsFootprintOrEroded) {
+    Plies plies;
+    plies.add(8, {.z = 0, .thickness = 0, .areal_density = 0.2}, flat(side, 0));
+    const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5e-3, .length = 10e-3};
+    contact::ProjectileContact contact(cylinder, elastic, 0.25e-3, plies.surface, plies.x);
+    const Positions v(plies.x.size(), Vec3::Zero());
+    contact::ProjectileState state{{0, 0, -0.5e-6}, {0, 0, speed}};
+    contact.update_candidates(plies.surface, plies.x, state, 0.1e-3);
+    std::vector<contact::PairForce> forces;
+    contact.evaluate(plies.surface, plies.x, v, state, dt, forces);
+    EXPECT_TRUE(forces.empty());
+    plies.surface.alive[27] = 0;
+    state.position.z() += speed * dt;
+    contact.evaluate(plies.surface, plies.x, v, state, dt, forces);
+    ASSERT_FALSE(forces.empty());
+    for (const auto& pair : forces) {
+        EXPECT_NE(pair.slave, plies.surface.facets[27].nodes);
+        Vec3 nearest = Vec3::Constant(1);
+        for (const auto& corner : contact::corners_of(pair.slave, plies.x))
+            if (corner.norm() < nearest.norm()) nearest = corner;
+        EXPECT_LT(nearest.norm(), 2.5e-3);
+    }
+}
+
+}  // namespace
+}  // namespace weavefront::test

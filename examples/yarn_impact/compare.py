@@ -69,21 +69,19 @@ def front(centre, strain, plateau):
     return centre[last] + share * (centre[last + 1] - centre[last])
 
 
-def measure(strip, speed, c, expected):
-    """Strain behind the front, laboratory speed of the kink and of the longitudinal front (m/s), with their histories."""
+def measure(strip, expected):
+    """Strain behind the front, laboratory speed of the kink, speed of the longitudinal front (m/s)."""
     # The first quarter of the run is left to the length of strip under the face of the projectile.
     frames = [k for k, t in enumerate(strip.times) if t >= strip.times[-1] / 4]
     times = strip.times[frames]
     kinks = np.array([kink(strip.x[k], strip.z[k]) for k in frames])
     fronts = np.array([front(strip.centre, strip.strain[k], expected) for k in frames])
-    plateaus = []
-    for k, at, end in zip(frames, kinks, fronts):
-        between = (strip.centre > 1.3 * at) & (strip.centre < 0.9 * end)
-        plateaus.append(strip.strain[k][between].mean())
-    return {"strain": plateaus[-1], "kink": np.polyfit(times, kinks, 1)[0], "front": np.polyfit(times, fronts, 1)[0], "kinks": (times, kinks)}
+    between = (strip.centre > 1.3 * kinks[-1]) & (strip.centre < 0.9 * fronts[-1])
+    plateau = strip.strain[-1][between].mean()
+    return {"strain": plateau, "kink": np.polyfit(times, kinks, 1)[0], "front": np.polyfit(times, fronts, 1)[0]}
 
 
-def draw(path, strip, found, speed, c, e, U):
+def draw(path, strip, speed, c, e, U):
     """Shape and strain of the strip at four times, over Smith's."""
     import matplotlib
 
@@ -97,7 +95,7 @@ def draw(path, strip, found, speed, c, e, U):
         shape.plot([0, 1e3 * U * t], [1e3 * speed * t, 0], "k:", lw=1)
         strain.plot(1e3 * strip.centre, 1e2 * strip.strain[k], color=drawn.get_color(), lw=1)
         strain.plot([0, 1e3 * c * t, 1e3 * c * t], [1e2 * e, 1e2 * e, 0], "k:", lw=1)
-    shape.set(xlim=(0, 2e3 * U * strip.times[-1]), xlabel="x, mm", ylabel="deflection, mm",
+    shape.set(xlim=(0, 1.5e3 * U * strip.times[-1]), xlabel="x, mm", ylabel="deflection, mm",
               title=f"Transverse impact at {speed:.0f} m/s on a strip of straight yarns; dotted: Smith (1958)")
     shape.legend()
     strain.set(xlabel="initial x, mm", ylabel="yarn strain, %", xlim=(0, 1e3 * strip.centre[-1]))
@@ -114,14 +112,14 @@ def main():
         speed = float(list(csv.DictReader(file))[-1]["projectile_vz"])
     c = wave_speed(strip.scene)
     e, U = smith(speed, c)
-    found = measure(strip, speed, c, e)
+    found = measure(strip, e)
     off = []
     for name, value, exact in [("strain behind the front", found["strain"], e), ("transverse wave speed, m/s", found["kink"], U),
                                ("longitudinal wave speed, m/s", found["front"], c)]:
         off.append(abs(value / exact - 1))
         print(f"{name:30} {value:10.6g}   Smith {exact:10.6g}   off by {100 * (value / exact - 1):+.2f} %")
     if arguments.picture:
-        draw(arguments.picture, strip, found, speed, c, e, U)
+        draw(arguments.picture, strip, speed, c, e, U)
     return int(max(off) > TOLERANCE)
 
 

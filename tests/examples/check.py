@@ -1,0 +1,121 @@
+"""The shipped scenes and what the documents say about them: check.py WEAVEFRONT WEAVEFRONT_PLOT MPIEXEC"""
+
+import csv
+import json
+import math
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+MPIEXEC, PLOT, WEAVEFRONT = sys.argv.pop(), sys.argv.pop(), sys.argv.pop()
+ROOT = Path(__file__).resolve().parents[2]
+SCENES = sorted((ROOT / "examples").glob("*/*.yaml"))
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "examples").glob("*/README.md"))]
+
+
+def call(*command, status=0):
+    """Runs a command; AssertionError unless it leaves with `status`. Returns its standard output."""
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    assert done.returncode == status, f"{command}: status {done.returncode}, expected {status}\n{done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def code_blocks(text, language):
+    """The fenced blocks of one language."""
+    return re.findall(rf"^```{language}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+
+
+def commands(text):
+    """Lines of the shell blocks without comments, continued lines joined."""
+    lines = "".join(code_blocks(text, "sh")).replace("\\\n", " ").splitlines()
+    return [line.split("#")[0].split() for line in lines if line.split("#")[0].strip()]
+
+
+class Scenes(unittest.TestCase):
+    def test_each_is_accepted(self):
+        self.assertGreaterEqual(len(SCENES), 5)
+        for scene in SCENES:
+            with self.subTest(scene=scene.relative_to(ROOT)):
+                # Scenes of a fabric alone have no impact to check.
+                impact = "\ntarget:" in scene.read_text()
+                call(WEAVEFRONT, "check", scene) if impact else call(WEAVEFRONT, "yarn", scene, "--rates", "1", "--out", "/dev/null")
+
+    def test_a_wrong_one_is_refused(self):
+        call(WEAVEFRONT, "check", SCENES[0], "--set", "target.mesh.centre=1 mm", status=2)
+
+    def test_the_scene_in_the_readme_is_accepted(self):
+        blocks = [block for block in code_blocks((ROOT / "README.md").read_text(), "yaml") if "fabrics:" in block]
+        self.assertEqual(len(blocks), 1)
+        with tempfile.TemporaryDirectory() as folder:
+            scene = Path(folder) / "scene.yaml"
+            scene.write_text(blocks[0])
+            call(WEAVEFRONT, "check", scene)
+
+
+class Documents(unittest.TestCase):
+    def test_links_and_pictures_exist(self):
+        for document in DOCUMENTS:
+            for target in re.findall(r"\]\(([^)#]+)[^)]*\)", document.read_text()):
+                with self.subTest(document=document.relative_to(ROOT), target=target):
+                    self.assertTrue("://" in target or (document.parent / target).exists())
+
+    def test_commands_exist(self):
+        usage = call(WEAVEFRONT, "--help")
+        for document in DOCUMENTS:
+            for words in commands(document.read_text()):
+                with self.subTest(document=document.relative_to(ROOT), command=" ".join(words)):
+                    self.check_command(words, usage)
+
+    def check_command(self, words, usage):
+        """The program's subcommand and options, the files of the checkout, and what bootstrap.sh is asked for."""
+        names = [Path(word).name for word in words]
+        if "weavefront" in names:
+            subcommand = words[names.index("weavefront") + 1]
+            self.assertRegex(usage, rf"\n  {subcommand} ")
+            self.check_options(words, call(WEAVEFRONT, subcommand, "--help"))
+        if "weavefront-plot" in names:
+            self.check_options(words, call(PLOT, "--help"))
+        if "cmake/bootstrap.sh" in words:
+            self.assertIn(f"\n  {words[-1]} ", call("bash", ROOT / "cmake/bootstrap.sh", "--help"))
+        for word in words:
+            if word.startswith(("examples/", "cmake/")):
+                self.assertTrue((ROOT / word).exists(), word)
+
+    def check_options(self, words, usage):
+        for option in (word.split("=")[0] for word in words if word.startswith("--")):
+            self.assertRegex(usage, rf"{option}\b")
+
+
+class CoarseImpact(unittest.TestCase):
+    """The demo: the 428 m/s example on a mesh of 2 mm by two ranks."""
+
+    def test_runs_to_its_end_and_is_drawn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            output = Path(folder) / "run"
+            scene = ROOT / "examples/kevlar129_8ply/impact_428.yaml"
+            call(MPIEXEC, "-n", "2", WEAVEFRONT, "run", scene, "--set", "target.mesh.center=2 mm", "--output", output)
+            self.check_files(output)
+            pictures = call(PLOT, output).split()
+            for name in ("history", "energies", "section"):
+                picture = output / "plots" / f"{name}.png"
+                self.assertIn(str(picture), pictures)
+                self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def check_files(self, output):
+        summary = json.loads((output / "summary.json").read_text())
+        self.assertEqual((summary["status"], summary["ranks"]), ("finished", 2))
+        self.assertGreaterEqual(summary["time"], 120e-6)
+        with open(output / "history.csv", newline="") as file:
+            rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        self.assertGreater(len(rows), 200)  # every 0.5 us
+        self.assertTrue(all(math.isfinite(value) for row in rows for value in row.values()))
+        # What the documents promise of all shipped impacts, and by how much energy can be lost before outcomes are in doubt.
+        self.assertLess(max(abs(row["energy_error"]) for row in rows), 0.01)
+        self.assertGreater(rows[-1]["broken_yarns"], 0)
+        self.assertLess(rows[-1]["kinetic_projectile"], rows[0]["kinetic_projectile"])
+
+
+unittest.main()

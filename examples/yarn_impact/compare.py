@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Compares a run of scene.yaml with J. C. Smith's transverse impact on a yarn (1958): compare.py RUN_DIRECTORY [--picture FILE]
 
 Leaves with status 1 when the strain behind the front or the speed of the transverse wave is off by more than 3 %.

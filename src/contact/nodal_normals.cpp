@@ -32,6 +32,12 @@ const Vec3& NodalNormals::at(std::int32_t node, const Surface& surface, std::spa
         const auto corner = [&](std::size_t a) -> const Vec3& { return x[static_cast<std::size_t>(surface.facets[f].nodes[a])]; };
         sum += (corner(2) - corner(0)).cross(corner(3) - corner(1)) / 2;
     }
+    // Add the mirror image of the facets around a node on a plane of symmetry; such a node is held in the plane, at exactly 0.
+    for (int d = 0; d < 2; ++d)
+        if (surface.symmetry[static_cast<std::size_t>(d)] && x[n][d] == 0) {
+            sum *= 2;
+            sum[d] = 0;
+        }
     computed_[n] = now_;
     normals_[n] = sum;
     return normals_[n];

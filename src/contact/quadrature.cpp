@@ -42,7 +42,9 @@ std::int32_t Quadrature::rule_for(const std::array<Vec3, 4>& corners) {
     int n = 0, m = 0;
     if (spacing_) {
         // An element as long as a whole number of spacings takes that many points, whatever the rounding of its corners.
-        const auto points = [&](double length) { return std::clamp(static_cast<int>(std::ceil(length / *spacing_ * (1 - 1e-9))), 1, most_); };
+        const auto points = [&](double length) {
+            return std::clamp(static_cast<int>(std::ceil(length / *spacing_ * (1 - 1e-9))), 1, most_);
+        };
         n = points(std::max((corners[1] - corners[0]).norm(), (corners[2] - corners[3]).norm()));
         m = points(std::max((corners[3] - corners[0]).norm(), (corners[2] - corners[1]).norm()));
     }

@@ -1,5 +1,7 @@
 #include "weavefront/shell/element_group.hpp"
 
+#include <algorithm>
+
 #include "weavefront/shell/vector.hpp"
 
 namespace weavefront::shell {
@@ -11,7 +13,8 @@ std::array<double, quad_size> fields_of(const Quad<double>& q) { return {q.Bf1, 
 HourglassStiffness hourglass_stiffness(const scene::Fabric& fabric) {
     // In the plane E1 S/s in each of the two directions, of which each sees half of Quad::shape.
     const double membrane = fabric.elastic.static_modulus * fabric.yarn.area / fabric.yarn.span;
-    return {fabric.hourglass * membrane / 2, fabric.transverse_shear * fabric.effective_thickness()};
+    const double in_plane = fabric.hourglass * membrane / 2;
+    return {in_plane, std::max(fabric.transverse_shear * fabric.effective_thickness(), in_plane)};
 }
 
 }  // namespace

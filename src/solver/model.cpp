@@ -80,6 +80,7 @@ void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const me
     surface.alive.assign(part.element_ids.size(), 1);
     surface.owned = static_cast<std::int32_t>(part.element_ids.size());
     surface.areas = areas;
+    surface.symmetry = panel.symmetry;
     for (const auto& ply : panel.plies) {
         const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
         surface.plies.push_back({ply.z, fabric.contact_thickness, fabric.areal_density});

@@ -34,8 +34,10 @@ TEST(GradedLine, KeepsItsEndsAndItsFinePointAndNoElementIsLargerThanAskedFor) {
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
             const double size = line[i + 1] - line[i];
             const double asked = asked_size(mesh, i >= i_fine ? i - i_fine : i_fine - 1 - i);
-            ASSERT_GT(size, 0);
             ASSERT_LT(size, asked * (1 + 2e-6)) << n;  // a remainder of a millionth of an element makes no element of its own
+            // a side is scaled as a whole: no sliver at its end
+            const double first = i >= i_fine ? line[i_fine + 1] - fine : fine - line[i_fine - 1];
+            ASSERT_NEAR(size / asked, first / mesh.center, 1e-11) << n;
         }
     }
 }
@@ -50,8 +52,10 @@ TEST(GradedLine, IsNotFinerThanNeeded) {
 }
 
 TEST(GradedLine, OfEqualElementsHasAsManyAsFit) {
-    // 0.1/0.001 is 100 whatever the rounding of the sum of a hundred thousandths
-    EXPECT_EQ(graded_line(0, 0.1, 0, {.center = 1e-3, .edge = 1e-3, .growth = 1}).size(), 101U);
+    // whatever the rounding of their sum
+    for (const double size : {1e-3, 0.7e-3, 0.3e-3, 1.1e-3})
+        for (int n = 1; n < 300; ++n)
+            ASSERT_EQ(graded_line(0, n * size, 0, {.center = size, .edge = size, .growth = 1}).size(), n + 1U) << size;
     EXPECT_EQ(graded_line(-0.1, 0.1, 0, {.center = 1e-3, .edge = 1e-3, .growth = 1}).size(), 201U);
 }
 

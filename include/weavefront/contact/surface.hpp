@@ -33,6 +33,7 @@ struct Surface {
     std::int32_t owned = 0;           ///< number of owned facets
     std::vector<double> areas;        ///< initial areas of the owned facets, m2
     std::vector<PlyProperties> plies;
+    std::array<bool, 2> symmetry{};  ///< the plane x = 0 (y = 0) is one of symmetry
 };
 
 /// Axis-aligned box.

@@ -177,19 +177,25 @@ def number(text, scale=1.0, digits=1):
     return f"{scale * float(text):.{digits}f}" if text else "-"
 
 
+def breaks(row):
+    """First breaks of the plies, us."""
+    times = [row[f"first_break_{ply}"] for ply in range(1, PLIES + 1)]
+    return " ".join(number(time, 1e6) for time in times) if any(times) else "none"
+
+
 COLUMNS = {
     "velocity at the end, m/s": lambda r: number(r["final_velocity"]),
     "rebound, us": lambda r: number(r["rebound_time"], 1e6),
     "deepest, mm": lambda r: number(r["deepest"], 1e3, 2),
     "pyramid": lambda r: number(r["pyramid_ratio"], 1, 2),
     "absorbed, J": lambda r: number(r["absorbed"]),
-    "first break in each ply, us": lambda r: " ".join(number(r[f"first_break_{ply}"], 1e6) for ply in range(1, PLIES + 1)),
+    "first breaks, plies 1 to 8, us": breaks,
     "broken": lambda r: r["broken_yarns"],
     "eroded": lambda r: r["eroded_elements"],
-    "energy error, %": lambda r: number(r["energy_error"], 100, 3),
+    "energy error, %": lambda r: number(r["energy_error"], 100, 4),
     "hourglass, %": lambda r: number(r["hourglass_share"], 100, 1),
 }
-UNPERFORATED = ("rebound, us", "pyramid")
+ONLY_OF_267, NOT_OF_267 = ("rebound, us", "pyramid"), ("first breaks, plies 1 to 8, us", "eroded")
 
 
 def tables(path):
@@ -199,7 +205,7 @@ def tables(path):
         chosen = [row for row in rows if row["study"] == name]
         if not chosen:
             continue
-        skipped = () if name.startswith("267") else UNPERFORATED
+        skipped = NOT_OF_267 if name.startswith("267") else ONLY_OF_267
         columns = {heading: value for heading, value in COLUMNS.items() if heading not in skipped}
         print(f"\n{about.heading}:\n\n| variant | " + " | ".join(columns) + " |\n|---|" + "---:|" * len(columns))
         for row in sorted(chosen, key=lambda r: list(VARIANTS).index(r["variant"])):

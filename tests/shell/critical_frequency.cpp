@@ -120,6 +120,14 @@ TEST(CriticalFrequency, BoundsViscousPackedAndRubbingYarns) {
     expect_bound(fabric, 1.2);
 }
 
+TEST(CriticalFrequency, BoundsStiffPacking) {
+    scene::Fabric fabric = elastic_kevlar129();
+    fabric.friction = 0;
+    fabric.lateral->modulus *= 50;  // well above the yarns themselves
+    fabric.lateral->shear_modulus *= 50;
+    expect_bound(fabric, 1.2);
+}
+
 TEST(CriticalFrequency, BoundsTheFabricAsPrinted) {
     scene::Fabric fabric = kevlar129();
     fabric.formulation = scene::Formulation::paper;

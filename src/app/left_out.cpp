@@ -15,7 +15,8 @@ std::vector<std::string> left_out(const scene::Scene& scene, int ranks) {
     unless(any_fabric([](const auto& f) { return f.failure.has_value(); }), "failure and erosion (no failure)");
     unless(any_fabric([](const auto& f) { return f.lateral.has_value(); }), "packing of the yarns (no lateral)");
     unless(any_fabric([](const auto& f) { return f.friction > 0; }), "yarn friction (no friction)");
-    unless(any_fabric([](const auto& f) { return f.transverse_shear > 0; }), "transverse shear (no transverse_shear: hourglass control resists warping)");
+    unless(any_fabric([](const auto& f) { return f.transverse_shear > 0; }),
+           "transverse shear (no transverse_shear: hourglass control resists warping)");
     unless(scene.projectile.has_value(), "projectile and its contact (no projectile)");
     unless(scene.contact.plies && scene.target && scene.target->plies.size() > 1,
            "contact between plies (no contact.plies, or a single ply)");

@@ -20,6 +20,7 @@ std::vector<std::string> left_out(const scene::Scene& scene, int ranks) {
     unless(scene.projectile.has_value(), "projectile and its contact (no projectile)");
     unless(scene.contact.plies && scene.target && scene.target->plies.size() > 1,
            "contact between plies (no contact.plies, or a single ply)");
+    unless(scene.target && scene.target->frame, "frame and its contact (no edge rests on it)");
     unless(scene.damping > 0, "mass damping (no damping)");
     unless(ranks > 1, "halo exchange (one rank)");
     return phrases;

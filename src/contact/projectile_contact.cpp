@@ -1,5 +1,7 @@
 #include "weavefront/contact/projectile_contact.hpp"
 
+#include "weavefront/contact/rigid_pressure.hpp"
+
 namespace weavefront::contact {
 
 ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
@@ -47,37 +49,16 @@ void ProjectileContact::evaluate(const Surface& surface, std::span<const Vec3> x
             points_[index] = {};
             continue;
         }
-        const auto& rule = quadrature_.rule(rules_[index]);
-        auto& points = points_[index];
-        if (points.empty()) points.resize(rule.size() * batch_width);
-        const auto force = force_on(facet, surface.areas[index], x, v, projectile, dt, rule, points);
+        const RigidPair pair{facet,
+                             surface.areas[index],
+                             quadrature_.rule(rules_[index]),
+                             laws_[static_cast<std::size_t>(facet.ply)],
+                             Master::projectile,
+                             projectile.velocity};
+        const auto force = press(pair, x, v, dt, points_[index],
+                                 [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); });
         if (force.total != Vec3::Zero()) forces.push_back(force);
     }
-}
-
-PairForce ProjectileContact::force_on(const Facet& facet, double area, std::span<const Vec3> x, std::span<const Vec3> v,
-                                      const ProjectileState& projectile, double dt, const QuadratureRule& rule,
-                                      std::vector<Point>& points) const {
-    const auto& shape = shapes_[static_cast<std::size_t>(facet.ply)];
-    const auto& law = laws_[static_cast<std::size_t>(facet.ply)];
-    const auto corners = corners_of(facet.nodes, x), velocities = corners_of(facet.nodes, v);
-    PairForce sum(facet.nodes);
-    for (std::size_t b = 0; b < rule.size(); ++b) {
-        const auto position = interpolate(corners, rule[b].N), velocity = interpolate(velocities, rule[b].N);
-        for (std::size_t i = 0; i < rule[b].count; ++i) {
-            auto& point = points[b * batch_width + i];
-            const Vec3 at(position.x[i], position.y[i], position.z[i]), moving(velocity.x[i], velocity.y[i], velocity.z[i]);
-            const auto found = shape.depth(at - projectile.position, point.side);
-            if (!found) {
-                point.penetration = {};
-                continue;
-            }
-            const double closing = (projectile.velocity - moving).dot(found->normal);
-            const double pressure = law.advance(point.penetration, found->depth, closing, dt);
-            sum.add(pressure * area * rule[b].share[i] * found->normal, rule[b].N, i);
-        }
-    }
-    return sum;
 }
 
 }  // namespace weavefront::contact

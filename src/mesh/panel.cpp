@@ -16,6 +16,7 @@ std::uint8_t held_by(scene::Edge edge) {
             return hold_x | hold_y | hold_z;
         case scene::Edge::sliding:
             return hold_z;
+        case scene::Edge::frame:
         case scene::Edge::free:
             return 0;
     }

@@ -19,8 +19,12 @@ using Names = std::array<std::pair<std::string_view, Enum>, N>;
 inline constexpr Names<Formulation, 2> formulation_names{{{"consistent", Formulation::consistent}, {"paper", Formulation::paper}}};
 inline constexpr Names<Erode, 2> erode_names{{{"both_yarns", Erode::both_yarns}, {"any_yarn", Erode::any_yarn}}};
 // Without rotations at the nodes a clamp and a pin are the same.
-inline constexpr Names<Edge, 5> edge_names{
-    {{"fixed", Edge::fixed}, {"sliding", Edge::sliding}, {"free", Edge::free}, {"clamped", Edge::fixed}, {"pinned", Edge::fixed}}};
+inline constexpr Names<Edge, 6> edge_names{{{"fixed", Edge::fixed},
+                                            {"sliding", Edge::sliding},
+                                            {"frame", Edge::frame},
+                                            {"free", Edge::free},
+                                            {"clamped", Edge::fixed},
+                                            {"pinned", Edge::fixed}}};
 inline constexpr Names<Shape, 2> shape_names{{{"cylinder", Shape::cylinder}, {"sphere", Shape::sphere}}};
 inline constexpr Names<std::size_t, 2> axis_names{{{"x", 0}, {"y", 1}}};
 inline constexpr Names<Field, 7> field_names{{{"displacement", Field::displacement},

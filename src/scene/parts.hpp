@@ -23,8 +23,8 @@ std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics, co
 /// `projectile`. @param target null when the scene has none
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);
 
-/// `contact`.
-Contact read_contact(Section& section);
+/// `contact`. @param has_frame whether an edge of the target rests on a frame
+Contact read_contact(Section& section, bool has_frame);
 
 /// `time`.
 Scene::Time read_time(Section& section);

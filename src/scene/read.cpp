@@ -35,7 +35,8 @@ Scene read_parts(Section& root, Need need) {
     scene.target = read_part(root, "target", need, [&](Section& section) { return read_target(section, scene.fabrics); });
     const Target* target = scene.target ? &*scene.target : nullptr;
     scene.projectile = root.optional("projectile", [&](Section& section) { return read_projectile(section, scene.fabrics, target); });
-    scene.contact = root.optional("contact", read_contact).value_or(scene.contact);
+    const bool has_frame = target != nullptr && target->frame;
+    scene.contact = root.optional("contact", [&](Section& section) { return read_contact(section, has_frame); }).value_or(scene.contact);
     scene.damping = root.quantity("damping", rate, non_negative, 0);
     scene.time = read_part(root, "time", need, read_time).value_or(scene.time);
     scene.limits = root.optional("limits", read_limits).value_or(scene.limits);
@@ -44,7 +45,7 @@ Scene read_parts(Section& root, Need need) {
 
     root.refuse_if(root.has("fabrics") && scene.fabrics.empty(), "fabrics", "at least one fabric");
     root.refuse_if(scene.projectile && !scene.contact.projectile, "contact", "a map with the key projectile, since there is a projectile");
-    root.unavailable({"checkpoint", "restart", "frame", "subcycling"});
+    root.unavailable({"checkpoint", "restart", "subcycling"});
     return scene;
 }
 

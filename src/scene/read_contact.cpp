@@ -21,15 +21,17 @@ std::optional<double> read_point_spacing(Section& section) {
 
 }  // namespace
 
-Contact read_contact(Section& section) {
-    // Of the order of a yarn's transverse modulus over one ply spacing.
-    const ContactLaw projectile{.stiffness = 5.6e12, .unloading = 10, .damping = 0};
-    const ContactLaw plies{.stiffness = 1.1e13, .unloading = 10, .damping = 0.2};
+Contact read_contact(Section& section, bool has_frame) {
     Contact contact;
+    // Of the order of a yarn's transverse modulus over one ply spacing.
+    const ContactLaw rigid = contact.frame;
+    const ContactLaw plies{.stiffness = 1.1e13, .unloading = 10, .damping = 0.2};
     contact.spacing = read_point_spacing(section);
-    contact.projectile = section.optional("projectile", [&](Section& law) { return read_law(law, projectile); });
+    contact.projectile = section.optional("projectile", [&](Section& law) { return read_law(law, rigid); });
     contact.plies = section.optional("plies", [&](Section& law) { return read_law(law, plies); });
-    section.unavailable({"friction", "frame"});
+    contact.frame = section.optional("frame", [&](Section& law) { return read_law(law, rigid); }).value_or(rigid);
+    section.refuse_if(!has_frame && section.has("frame"), "frame", "only with an edge that rests on the frame (target.edges)");
+    section.unavailable({"friction"});
     return contact;
 }
 

@@ -62,6 +62,14 @@ void write_target(std::string& text, const Target& target, const std::vector<Fab
     line(text, "  mesh: {{center: {} m, edge: {} m, growth: {}}}", target.mesh.center, target.mesh.edge, target.mesh.growth);
     line(text, "  symmetry: [{}]", fmt::join(symmetry, ", "));
     line(text, "  edges: {{x: {}, y: {}}}", name_of(target.edges[0], edge_names), name_of(target.edges[1], edge_names));
+    if (target.frame) {
+        std::vector<std::string> openings;
+        for (const auto& [name, axis] : axis_names) {
+            const auto& half = target.frame->half_opening[axis];
+            if (half) openings.push_back(fmt::format("{}: {} m", name, 2 * *half));
+        }
+        line(text, "  frame: {{opening: {{{}}}, edge_radius: {} m}}", fmt::join(openings, ", "), target.frame->edge_radius);
+    }
 }
 
 void write_projectile(std::string& text, const Projectile& p) {
@@ -82,11 +90,12 @@ void write_law(std::string& text, std::string_view key, const std::optional<Cont
     line(text, "  {}: {{stiffness: {} N/m^3, unloading: {}, damping: {}}}", key, law->stiffness, law->unloading, law->damping);
 }
 
-void write_contact(std::string& text, const Contact& contact) {
+void write_contact(std::string& text, const Contact& contact, bool has_frame) {
     line(text, "contact:");
     line(text, "  spacing: {}", contact.spacing ? fmt::format("{} m", *contact.spacing) : "nodes");
     write_law(text, "projectile", contact.projectile);
     write_law(text, "plies", contact.plies);
+    if (has_frame) write_law(text, "frame", contact.frame);
 }
 
 void write_output(std::string& text, const Output& output) {
@@ -104,7 +113,7 @@ std::string resolved_text(const Scene& scene) {
     for (const Fabric& fabric : scene.fabrics) write_fabric(text, fabric);
     if (scene.target) write_target(text, *scene.target, scene.fabrics);
     if (scene.projectile) write_projectile(text, *scene.projectile);
-    write_contact(text, scene.contact);
+    write_contact(text, scene.contact, scene.target && scene.target->frame);
     line(text, "damping: {} 1/s", scene.damping);
     if (scene.time.end > 0) line(text, "time: {{end: {} s, safety: {}}}", scene.time.end, scene.time.safety);
     line(text, "limits: {{energy_error: {}}}", scene.limits.energy_error);

@@ -70,9 +70,9 @@ void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>
         opposite[d] = -total[d];
     }
     share(pair.slave, pair.on_slave, total, sums);
-    if (pair.on_projectile)
+    if (pair.kind == contact::Master::projectile)
         for (std::size_t d = 0; d < 3; ++d) on_projectile[d] += opposite[d];
-    else
+    else if (pair.kind == contact::Master::facet)
         share(pair.master, pair.on_master, opposite, sums);
 }
 

@@ -101,7 +101,8 @@ double largest_force(const scene::Scene& scene) {
         const double membrane = 0.1 * fabric.elastic.hooke_modulus * fabric.yarn.area / fabric.yarn.span * target.mesh.edge;
         const double pressed = target.mesh.edge * target.mesh.edge * fabric.contact_thickness;
         largest = std::max({largest, membrane, scene.contact.projectile ? scene.contact.projectile->stiffness * pressed : 0.0,
-                            scene.contact.plies ? scene.contact.plies->stiffness * pressed : 0.0});
+                            scene.contact.plies ? scene.contact.plies->stiffness * pressed : 0.0,
+                            target.frame ? scene.contact.frame.stiffness * pressed : 0.0});
     }
     return largest;
 }
@@ -139,6 +140,8 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const par
     }
     if (scene.contact.plies && panel.plies.size() > 1)
         model.ply_contact.emplace(*scene.contact.plies, scene.contact.spacing, model.surface, model.nodes.x);
+    if (scene.target->frame)
+        model.frame_contact.emplace(*scene.target->frame, scene.contact.frame, scene.contact.spacing, model.surface, model.nodes.x);
     return model;
 }
 

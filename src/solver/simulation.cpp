@@ -33,6 +33,7 @@ double contact_frequency_squared(const scene::Scene& scene) {
     double sum = 0;
     if (scene.contact.plies && scene.target->plies.size() > 1) sum += frequency_squared(*scene.contact.plies, 4);
     if (scene.contact.projectile && scene.projectile) sum += frequency_squared(*scene.contact.projectile, 1);
+    if (scene.target->frame) sum += frequency_squared(scene.contact.frame, 1);
     return sum;
 }
 
@@ -117,6 +118,7 @@ void Simulation::evaluate_contact() {
     if (model_.projectile_contact)
         model_.projectile_contact->evaluate(model_.surface, nodes.x, nodes.v, *model_.projectile, last_dt_, pairs_);
     if (model_.ply_contact) model_.ply_contact->evaluate(model_.surface, nodes.x, nodes.v, last_dt_, pairs_);
+    if (model_.frame_contact) model_.frame_contact->evaluate(model_.surface, nodes.x, nodes.v, last_dt_, pairs_);
     for (const auto& pair : pairs_) model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
     count_contact_work(last_dt_);
 }
@@ -124,10 +126,10 @@ void Simulation::evaluate_contact() {
 void Simulation::count_contact_work(double dt) {
     const auto& v = model_.nodes.v;
     for (const auto& pair : pairs_) {
-        double power = pair.on_projectile ? -pair.total.dot(model_.projectile->velocity) : 0;
+        double power = pair.kind == contact::Master::projectile ? -pair.total.dot(model_.projectile->velocity) : 0;
         for (std::size_t a = 0; a < 4; ++a) {
             power += pair.on_slave[a].dot(v[static_cast<std::size_t>(pair.slave[a])]);
-            if (!pair.on_projectile) power += pair.on_master[a].dot(v[static_cast<std::size_t>(pair.master[a])]);
+            if (pair.kind == contact::Master::facet) power += pair.on_master[a].dot(v[static_cast<std::size_t>(pair.master[a])]);
         }
         const double work = -power * dt / 2;
         if (energy_.fits(work)) contact_work_ += energy_.from(work);

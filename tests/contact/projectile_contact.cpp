@@ -33,11 +33,11 @@ contact::PairForce total(const scene::Projectile& projectile, double spacing, do
     state.position.z() = depth - thickness / 2;
     forces.clear();
     contact.evaluate(plies.surface, plies.x, v, state, rest, forces);
-    contact::PairForce sum({});
+    contact::PairForce sum({}, contact::Master::projectile);
     for (const auto& pair : forces) {
         Vec3 nodal = Vec3::Zero();
         for (const auto& force : pair.on_slave) nodal += force;
-        EXPECT_TRUE(pair.on_projectile);
+        EXPECT_EQ(pair.kind, contact::Master::projectile);
         EXPECT_LT((nodal - pair.total).norm(), 1e-14 * pair.total.norm());
         sum.total += pair.total;
     }

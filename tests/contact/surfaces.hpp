@@ -59,7 +59,7 @@ struct Assembled {
         sum.on_slaves += pair.total;
         for (std::size_t a = 0; a < 4; ++a) {
             sum.nodal[static_cast<std::size_t>(pair.slave[a])] += pair.on_slave[a];
-            if (!pair.on_projectile) sum.nodal[static_cast<std::size_t>(pair.master[a])] += pair.on_master[a];
+            if (pair.kind == contact::Master::facet) sum.nodal[static_cast<std::size_t>(pair.master[a])] += pair.on_master[a];
         }
     }
     for (std::size_t n = 0; n < x.size(); ++n) {

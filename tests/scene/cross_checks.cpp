@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
              "target.mesh: found a map of keys, allowed sizes that give at most 2147483647 nodes a ply, not 1.03e+10"},
         Case{{"target.symmetry=[x, z]"}, "target.symmetry.1: found 'z', allowed x, y"},
         Case{{"target.symmetry=x"}, "target.symmetry: found 'x', allowed a list of x, y"},
-        Case{{"target.edges.x=fxed"}, "target.edges.x: found 'fxed', allowed fixed, sliding, free, clamped, pinned, did you mean 'fixed'?"},
+        Case{{"target.edges.x=fxed"}, "target.edges.x: found 'fxed', allowed fixed, sliding, frame, free, clamped, pinned, did you mean 'fixed'?"},
         Case{{"target.plies.count=0"}, "target.plies.count: found '0', allowed a whole number from 1 to 10000"},
         Case{{"target.plies.count=2.5"}, "target.plies.count: found '2.5', allowed a whole number from 1 to 10000"},
         Case{{"target.plies.fabric=kevlar128"},
@@ -70,6 +70,27 @@ INSTANTIATE_TEST_SUITE_P(
         Case{{"target.plies=[{fabric: kevlar129}, {fabric: kevlar129}]"},
              "target.plies.1.spacing: found nothing, allowed a length greater than 0"},
         Case{{"target.plies=[kevlar129]"}, "target.plies.0: found 'kevlar129', allowed a map with keys fabric, angle, spacing, gap"}));
+
+TEST(CrossChecks, AFrameHasBarsWhereEdgesRestOnIt) {
+    const std::string rests = "target.edges={x: fixed, y: frame}";
+    const auto framed = parse(example, {rests, "target.frame={opening: {y: 180 mm}}"});
+    ASSERT_TRUE(framed.target->frame);
+    EXPECT_FALSE(framed.target->frame->half_opening[0]);
+    EXPECT_DOUBLE_EQ(framed.target->frame->half_opening[1].value(), 90e-3);
+    EXPECT_EQ(framed.target->frame->edge_radius, 1e-3);
+    EXPECT_EQ(framed.contact.frame.stiffness, 5.6e12);
+    EXPECT_EQ(parse(framed.resolved, {}).hash, framed.hash);
+    const auto one = [](const std::vector<std::string>& overrides) {
+        const auto all = findings(example, overrides);
+        return all.size() == 1 ? all[0].substr(all[0].find("target.frame: ") == std::string::npos ? 0 : all[0].rfind("target.frame: "))
+                               : "";
+    };
+    EXPECT_EQ(one({rests}), "target.frame: found nothing, allowed a map with keys edge_radius, opening");
+    EXPECT_NE(one({rests, "target.frame={opening: {y: 300 mm}}"}).find("allowed less than the target's 0.2032 m"), std::string::npos);
+    EXPECT_NE(one({rests, "target.frame={opening: {x: 3 mm, y: 180 mm}}"}).find("allowed only where edges.x is frame"), std::string::npos);
+    EXPECT_NE(one({"target.frame={opening: {y: 180 mm}}"}).find("allowed a frame where an edge rests on it"), std::string::npos);
+    EXPECT_NE(one({"contact.frame={}"}).find("allowed only with an edge that rests on the frame"), std::string::npos);
+}
 
 TEST(CrossChecks, SymmetricEdgesAndNamesAreAccepted) {
     EXPECT_EQ(parse(example, {"target.edges={x: clamped, y: pinned}"}).target->edges, (std::array{Edge::fixed, Edge::fixed}));

@@ -93,8 +93,6 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Later, Refusal,
     testing::Values(
-        Case{"x: fixed", "x: frame",
-             "s.yaml:19:14: target.edges.x: found 'frame', not available in this version, allowed fixed, sliding, free"},
         Case{"shape: cylinder", "shape: fsp",
              "s.yaml:20:21: projectile.shape: found 'fsp', not available in this version, allowed cylinder"},
         Case{"mass: 2.8 g", "mass: 2.8 g, angular_velocity: 1", "s.yaml:20:84: projectile.angular_velocity: not available in this version"},

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "weavefront/contact/depth.hpp"
 #include "weavefront/mesh/vec3.hpp"
 #include "weavefront/scene/scene.hpp"
 
@@ -13,12 +14,6 @@ namespace weavefront::contact {
 /// Where a point of the fabric came in. A point keeps its side until it has been outside, so that the contact normal does not jump
 /// between the face and the side of the projectile at a sharp edge.
 enum class Side : std::uint8_t { none, front, side, rear };
-
-/// Depth of a point below a surface.
-struct Depth {
-    double depth = 0;  ///< m, > 0 inside
-    Vec3 normal;       ///< outward, unit
-};
 
 /// Sphere, or cylinder about z with rounded rims, inflated by half the thickness of the fabric; the nose points to +z.
 class ProjectileShape {

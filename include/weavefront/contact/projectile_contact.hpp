@@ -39,9 +39,6 @@ class ProjectileContact {
         Penetration penetration;
         Side side = Side::none;
     };
-    [[nodiscard]] PairForce force_on(const Facet& facet, double area, std::span<const Vec3> x, std::span<const Vec3> v,
-                                     const ProjectileState& projectile, double dt, const QuadratureRule& rule,
-                                     std::vector<Point>& points) const;
 
     std::vector<ProjectileShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;         ///< by ply

@@ -46,20 +46,25 @@ struct Box {
     }
 };
 
-/// Contact forces between one facet and another, or the projectile: summed over the points of the pair, shared out to the nodes.
+/// What a facet presses on.
+enum class Master : std::uint8_t { facet, projectile, frame };
+
+/// Contact forces between one facet and another, or a rigid body: summed over the points of the pair, shared out to the nodes.
 struct PairForce {
     std::array<std::int32_t, 4> slave{}, master{};
     std::array<Vec3, 4> on_slave, on_master;  ///< N
-    Vec3 total{0, 0, 0};                      ///< on the slave, N; the master, or the projectile, takes the opposite
-    bool on_projectile = false;
+    Vec3 total{0, 0, 0};                      ///< on the slave, N; the master takes the opposite
+    Master kind = Master::facet;
 
     PairForce(const std::array<std::int32_t, 4>& slave_nodes, const std::array<std::int32_t, 4>& master_nodes)
         : slave(slave_nodes), master(master_nodes) {
         on_slave.fill(Vec3::Zero());
         on_master.fill(Vec3::Zero());
     }
-    /// Fabric against the projectile.
-    explicit PairForce(const std::array<std::int32_t, 4>& slave_nodes) : PairForce(slave_nodes, {}) { on_projectile = true; }
+    /// Fabric against a rigid body, which has no nodes.
+    PairForce(const std::array<std::int32_t, 4>& slave_nodes, Master rigid) : PairForce(slave_nodes, std::array<std::int32_t, 4>{}) {
+        kind = rigid;
+    }
 
     /// The force at one point of a batch. @param on_slave_point N @param slave_N, master_N shape functions of the two facets
     void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N, const std::array<Lanes, 4>& master_N, std::size_t lane) {

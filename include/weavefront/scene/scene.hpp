@@ -17,8 +17,8 @@ enum class Formulation { consistent, paper };
 /// When an element is eroded: as soon as any of its yarns is broken, or when both are.
 enum class Erode { both_yarns, any_yarn };
 
-/// How an edge of the target is held. `fixed`: no displacement; `sliding`: held in z only; `free`: not held.
-enum class Edge { fixed, sliding, free };
+/// How an edge of the target is held. `fixed`: no displacement; `sliding`: held in z only; `frame`: rests on the frame; `free`: not held.
+enum class Edge { fixed, sliding, frame, free };
 
 /// Yarn geometry of the plain weave.
 struct Yarn {
@@ -84,6 +84,13 @@ struct PanelMesh {
     double growth = 1;  ///< 1
 };
 
+/// Rigid frame behind the last ply: bars along the edges that rest on it. Without friction.
+struct Frame {
+    /// Half the distance between the bars across x, y, m; absent: no bars there.
+    std::array<std::optional<double>, 2> half_opening{};
+    double edge_radius = 0;  ///< of the bars at the opening, m
+};
+
 /// Rectangular target of any number of plies, centred on the origin of x and y.
 struct Target {
     std::array<double, 2> size{};  ///< of the whole target, m
@@ -91,6 +98,7 @@ struct Target {
     PanelMesh mesh;
     std::array<bool, 2> symmetry{};                       ///< {x, y}: only the half x >= 0 (y >= 0) is modelled
     std::array<Edge, 2> edges{Edge::fixed, Edge::fixed};  ///< of the edges whose normal is x, y
+    std::optional<Frame> frame;                           ///< there when an edge rests on it
 };
 
 enum class Shape { sphere, cylinder };
@@ -117,6 +125,7 @@ struct Contact {
     std::optional<double> spacing = 0.25e-3;  ///< integration points of an element at most this far apart, m; absent: at its nodes
     std::optional<ContactLaw> projectile;
     std::optional<ContactLaw> plies;
+    ContactLaw frame{.stiffness = 5.6e12, .unloading = 10, .damping = 0};  ///< used with a frame only
 };
 
 /// What the results file holds beside the ply number; all are point or cell arrays of results.vtkhdf.

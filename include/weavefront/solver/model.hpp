@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "weavefront/contact/frame_contact.hpp"
 #include "weavefront/contact/ply_contact.hpp"
 #include "weavefront/contact/projectile_contact.hpp"
 #include "weavefront/mesh/panel.hpp"
@@ -46,6 +47,7 @@ struct Model {
     std::optional<contact::ProjectileState> projectile;
     std::optional<contact::ProjectileContact> projectile_contact;
     std::optional<contact::PlyContact> ply_contact;
+    std::optional<contact::FrameContact> frame_contact;
 
     [[nodiscard]] std::size_t bytes() const;
 };

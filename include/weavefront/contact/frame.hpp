@@ -1,0 +1,32 @@
+#pragma once
+/// @file
+/// The rigid frame behind the target and its surface.
+
+#include <optional>
+
+#include "weavefront/contact/depth.hpp"
+#include "weavefront/mesh/vec3.hpp"
+#include "weavefront/scene/scene.hpp"
+
+namespace weavefront::contact {
+
+/// Straight bars on both sides of an opening, without end outwards and in z, rounded where they meet the opening; inflated by half the
+/// thickness of the fabric.
+class FrameShape {
+  public:
+    /// @param top    height of the surface on which the last ply rests, m
+    /// @param offset distance from the surface at which the fabric's mid-surface touches it, m
+    FrameShape(const scene::Frame& frame, double top, double offset);
+
+    /// Depth of a point; nothing when it is outside.
+    [[nodiscard]] std::optional<Depth> depth(const Vec3& point) const;
+
+    /// Whether a box may hold a point inside a bar. @param low, high corners, m
+    [[nodiscard]] bool may_touch(const Vec3& low, const Vec3& high) const;
+
+  private:
+    std::array<std::optional<double>, 2> half_opening_;  // of the inflated bars
+    double top_, edge_;
+};
+
+}  // namespace weavefront::contact

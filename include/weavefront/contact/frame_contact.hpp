@@ -1,0 +1,40 @@
+#pragma once
+/// @file
+/// Contact between the fabric and the frame it rests on, on the rank that owns the element.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "weavefront/contact/frame.hpp"
+#include "weavefront/contact/penalty.hpp"
+#include "weavefront/contact/quadrature.hpp"
+#include "weavefront/contact/surface.hpp"
+
+namespace weavefront::contact {
+
+/// The frame holds the fabric back from one side only: fabric may slide on it and lift off, but not pass.
+class FrameContact {
+  public:
+    /// The last ply of `surface` rests on the frame at the start. @param x initial positions, m
+    FrameContact(const scene::Frame& frame, const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
+                 std::span<const Vec3> x);
+
+    /// Appends the forces at the present positions.
+    /// @param v  velocities over the last step, m/s
+    /// @param dt the last step, s
+    void evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::vector<PairForce>& forces);
+
+  private:
+    struct Point {
+        Penetration penetration;
+    };
+    std::vector<FrameShape> shapes_;  ///< by ply: inflated by its thickness
+    std::vector<PenaltyLaw> laws_;    ///< by ply
+    Quadrature quadrature_;
+    std::vector<std::int32_t> rules_;         ///< of the owned facets
+    std::vector<std::vector<Point>> points_;  ///< of the owned facets; empty away from the frame
+};
+
+}  // namespace weavefront::contact

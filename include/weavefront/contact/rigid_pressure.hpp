@@ -1,0 +1,55 @@
+#pragma once
+/// @file
+/// Pressure of a rigid body on one facet.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "weavefront/contact/depth.hpp"
+#include "weavefront/contact/penalty.hpp"
+#include "weavefront/contact/quadrature.hpp"
+#include "weavefront/contact/surface.hpp"
+
+namespace weavefront::contact {
+
+/// The facet at hand and what acts on its points.
+struct RigidPair {
+    const Facet& facet;
+    double area;  ///< initial, m2
+    const QuadratureRule& rule;
+    const PenaltyLaw& law;
+    Master body;
+    Vec3 body_velocity{0, 0, 0};  ///< m/s
+};
+
+/// Integrates the pressure over the points of a facet.
+/// @param x, v   positions and velocities of the nodes, m, m/s
+/// @param dt     the last step, s
+/// @param points memory of the points, a `Point` with a member `penetration`
+/// @param depth  function of a position and of the memory of the point: its depth in the body, or nothing
+template <class Point, class DepthOf>
+PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::vector<Point>& points,
+                DepthOf depth) {
+    if (points.empty()) points.resize(pair.rule.size() * batch_width);
+    const auto corners = corners_of(pair.facet.nodes, x), velocities = corners_of(pair.facet.nodes, v);
+    PairForce sum(pair.facet.nodes, pair.body);
+    for (std::size_t b = 0; b < pair.rule.size(); ++b) {
+        const auto& batch = pair.rule[b];
+        const auto position = interpolate(corners, batch.N), velocity = interpolate(velocities, batch.N);
+        for (std::size_t i = 0; i < batch.count; ++i) {
+            auto& point = points[b * batch_width + i];
+            const std::optional<Depth> found = depth(Vec3(position.x[i], position.y[i], position.z[i]), point);
+            if (!found) {
+                point.penetration = {};
+                continue;
+            }
+            const double closing = (pair.body_velocity - Vec3(velocity.x[i], velocity.y[i], velocity.z[i])).dot(found->normal);
+            const double pressure = pair.law.advance(point.penetration, found->depth, closing, dt);
+            sum.add(pressure * pair.area * batch.share[i] * found->normal, batch.N, i);
+        }
+    }
+    return sum;
+}
+
+}  // namespace weavefront::contact

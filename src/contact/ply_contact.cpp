@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace weavefront::contact {
 
@@ -13,6 +14,7 @@ constexpr double deepest_in_thicknesses = 4;
 // Both sides of a gap between plies are bilinear over an element, with edges of the other ply's elements in between: more points than this
 // along an edge resolve nothing. (The projectile's edge is finer than any element; its contact knows no such bound.)
 constexpr int most_points = 4;
+constexpr std::size_t most_batches = (most_points * most_points + batch_width - 1) / batch_width;
 
 /// Lines through the points of a batch along the smoothed normals.
 Rays rays_of(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals, const QuadratureBatch& points) {
@@ -26,6 +28,22 @@ Rays rays_of(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& norm
         n.z[i] *= inverse;
     }
     return rays;
+}
+
+/// Box around the stretches of lines on which something may be met.
+/// @param back, ahead how far they go against and along their direction, m
+void widen(Box& box, const Rays& rays, double back, double ahead) {
+    const auto stretch = [&](const Lanes& origin, const Lanes& direction, double& low, double& high) {
+        for (std::size_t i = 0; i < batch_width; ++i) {
+            const double behind = origin[i] - back * direction[i], before = origin[i] + ahead * direction[i];
+            const double lower = behind < before ? behind : before, upper = behind < before ? before : behind;
+            low = lower < low ? lower : low;
+            high = upper > high ? upper : high;
+        }
+    };
+    stretch(rays.origin.x, rays.direction.x, box.low.x(), box.high.x());
+    stretch(rays.origin.y, rays.direction.y, box.low.y(), box.high.y());
+    stretch(rays.origin.z, rays.direction.z, box.low.z(), box.high.z());
 }
 
 std::array<Lanes, 4> shape_functions(const RayHits& hits) {
@@ -75,39 +93,63 @@ double PlyContact::touching_distance(std::int32_t ply, std::int32_t other) const
     return std::min((a.thickness + b.thickness) / 2, b.z - a.z);
 }
 
-void PlyContact::find_near(const Surface& surface, std::int32_t f, std::span<const Vec3> x) {
+/// One facet whose points look for what they touch.
+struct PlyContact::Slave {
+    std::int32_t facet;
+    const QuadratureRule& rule;
+    std::array<Vec3, 4> corners, velocities{};
+    std::array<Rays, most_batches> rays{};
+    Box stretch;  // around all that the lines may meet
+    bool touching = false;
+};
+
+PlyContact::Slave PlyContact::lines_of(std::int32_t f, const Surface& surface, std::span<const Vec3> x) {
+    const auto& nodes = surface.facets[static_cast<std::size_t>(f)].nodes;
+    constexpr double far = std::numeric_limits<double>::max();
+    Slave slave{.facet = f,
+                .rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]),
+                .corners = corners_of(nodes, x),
+                .stretch = {Vec3::Constant(far), Vec3::Constant(-far)}};
+    std::array<Vec3, 4> normals;
+    for (std::size_t a = 0; a < 4; ++a) normals[a] = normals_.at(nodes[a], surface, x);
+    for (std::size_t b = 0; b < slave.rule.size(); ++b) {
+        slave.rays[b] = rays_of(slave.corners, normals, slave.rule[b]);
+        widen(slave.stretch, slave.rays[b], depth_, most_touching_);
+    }
+    return slave;
+}
+
+void PlyContact::find_reachable(const Surface& surface, std::int32_t f) {
+    reachable_.clear();
+    const double highest = boxes_.z_high[static_cast<std::size_t>(f)] + most_touching_;
+    for (const auto other : candidates_.of(f)) {
+        const auto o = static_cast<std::size_t>(other);
+        if (boxes_.z_low[o] <= highest && surface.alive[o]) reachable_.push_back(other);
+    }
+}
+
+void PlyContact::find_near(const Slave& slave, const Surface& surface, std::span<const Vec3> x) {
     near_.clear();
-    const auto& facet = surface.facets[static_cast<std::size_t>(f)];
-    const auto box = boxes_.of(f);
-    const auto corners = corners_of(facet.nodes, x);
+    const auto ply = surface.facets[static_cast<std::size_t>(slave.facet)].ply;
+    const auto& corners = slave.corners;
     const Vec3 centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
     const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
     double front = 0;
     for (const auto& corner : corners) front = std::max(front, (corner - centre).dot(normal));
-    for (const auto other : candidates_.of(f)) {
+    for (const auto other : reachable_) {
         const auto o = static_cast<std::size_t>(other);
-        // Most candidates lie wholly ahead: the cheapest test comes first.
-        if (boxes_.z_low[o] > box.high.z() + most_touching_ || !boxes_.meet(o, box, depth_) || !surface.alive[o]) continue;
-        const auto ply = surface.facets[o].ply;
-        const double touching = touching_distance(facet.ply, ply);
-        if (boxes_.z_low[o] > box.high.z() + touching) continue;
+        if (!boxes_.meet(o, slave.stretch)) continue;
         // Seen along the normal of this facet the other must not lie wholly ahead of its foremost corner; a line at a slant only meets it
         // later.
+        const auto other_ply = surface.facets[o].ply;
         const auto others = corners_of(surface.facets[o].nodes, x);
         double nearest = (others[0] - centre).dot(normal);
         for (std::size_t c = 1; c < 4; ++c) nearest = std::min(nearest, (others[c] - centre).dot(normal));
-        if (nearest > front + touching) continue;
-        near_.push_back({other, ply, ((others[0] + others[1] + others[2] + others[3]) / 4 - centre).squaredNorm()});
+        if (nearest > front + touching_distance(ply, other_ply)) continue;
+        near_.push_back({other, other_ply, ((others[0] + others[1] + others[2] + others[3]) / 4 - centre).squaredNorm()});
     }
     std::ranges::stable_sort(near_, [](const Near& l, const Near& r) { return l.ply != r.ply ? l.ply < r.ply : l.apart < r.apart; });
 }
-
-/// One facet whose points look for what they touch.
-struct PlyContact::Slave {
-    std::int32_t facet;
-    std::array<Vec3, 4> corners, velocities, normals;
-    bool touching = false;
-};
 
 void PlyContact::press(Slave& slave, const QuadratureBatch& points, const Rays& rays, std::size_t near, const Surface& surface,
                        std::span<const Vec3> x, std::span<const Vec3> v, double dt, OpenPoints& open, Batch& batch,
@@ -143,19 +185,18 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& points, const Rays& 
 
 bool PlyContact::evaluate_facet(std::int32_t f, const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                                 std::vector<PairForce>& forces) {
-    const auto& facet = surface.facets[static_cast<std::size_t>(f)];
-    Slave slave{f, corners_of(facet.nodes, x), corners_of(facet.nodes, v), {}};
-    for (std::size_t a = 0; a < 4; ++a) slave.normals[a] = normals_.at(facet.nodes[a], surface, x);
-    const auto& rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]);
+    auto slave = lines_of(f, surface, x);
+    find_near(slave, surface, x);
+    if (near_.empty()) return false;
+    slave.velocities = corners_of(surface.facets[static_cast<std::size_t>(f)].nodes, v);
     auto& batches = points_[static_cast<std::size_t>(f)];
-    if (batches.empty()) batches.resize(rule.size());
+    if (batches.empty()) batches.resize(slave.rule.size());
     pair_of_.assign(near_.size(), -1);
-    for (std::size_t b = 0; b < rule.size(); ++b) {
-        const auto rays = rays_of(slave.corners, slave.normals, rule[b]);
-        OpenPoints open{{}, rule[b].count};
+    for (std::size_t b = 0; b < slave.rule.size(); ++b) {
+        OpenPoints open{{}, slave.rule[b].count};
         std::fill_n(open.lane.begin(), open.count, true);
         for (std::size_t k = 0; k < near_.size() && open.count > 0; ++k)
-            press(slave, rule[b], rays, k, surface, x, v, dt, open, batches[b], forces);
+            press(slave, slave.rule[b], slave.rays[b], k, surface, x, v, dt, open, batches[b], forces);
         for (std::size_t i = 0; i < batch_width; ++i)
             if (open.lane[i]) batches[b].point[i] = {};
     }
@@ -168,9 +209,9 @@ void PlyContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::
     boxes_.update(surface, x);
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         if (!surface.alive[static_cast<std::size_t>(f)]) continue;
-        find_near(surface, f, x);
+        find_reachable(surface, f);
         auto& points = points_[static_cast<std::size_t>(f)];
-        if (near_.empty() || !evaluate_facet(f, surface, x, v, dt, forces))
+        if (reachable_.empty() || !evaluate_facet(f, surface, x, v, dt, forces))
             if (!points.empty()) points = {};
     }
 }

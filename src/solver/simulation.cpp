@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "weavefront/solver/guard.hpp"
 
@@ -17,11 +18,14 @@ constexpr std::int32_t packs_at_once = 64;
 // The time step follows its bound every so many steps; in between the bound changes by far less than the safety factor leaves.
 constexpr std::int64_t steps_between_checks = 5;
 
+// Lists of what may meet hold what comes within this many edges of the smallest element: short lists against few renewals.
+constexpr double skin_in_edges = 1;
+
 // A time step not more than this factor below its bound is kept: a change costs new relaxation coefficients.
 constexpr double worth_raising = 1.05;
 
 /// Contact springs, at their unloading slope u k; a damper of the fraction xi shortens the stable step of central differences by
-/// sqrt(1 + xi^2) + xi. Loaded from both sides, the highest mode of a stack of plies has omega^2 = 4 u k/m per area.
+/// sqrt(1 + xi^2) + xi. The highest mode of a free stack of n plies has omega^2 = 4 cos^2(pi/(2 n)) u k/m per area.
 double contact_frequency_squared(const scene::Scene& scene) {
     double lightest = std::numeric_limits<double>::max();
     for (const auto& ply : scene.target->plies)
@@ -31,7 +35,9 @@ double contact_frequency_squared(const scene::Scene& scene) {
         return springs * law.unloading * law.stiffness / lightest * damped * damped;
     };
     double sum = 0;
-    if (scene.contact.plies && scene.target->plies.size() > 1) sum += frequency_squared(*scene.contact.plies, 4);
+    const auto plies = static_cast<double>(scene.target->plies.size());
+    if (scene.contact.plies && plies > 1)
+        sum += frequency_squared(*scene.contact.plies, 4 * std::pow(std::cos(std::numbers::pi / (2 * plies)), 2));
     if (scene.contact.projectile && scene.projectile) sum += frequency_squared(*scene.contact.projectile, 1);
     if (scene.target->frame) sum += frequency_squared(scene.contact.frame, 1);
     return sum;
@@ -218,8 +224,8 @@ void Simulation::move_nodes() {
 
 bool Simulation::moved_far() const {
     if (candidate_positions_.empty()) return false;
-    // Footprints of facets may approach by the skin of two edges: each of a pair by one, half of it kept for the step that is under way.
-    const double limit = model_.smallest_edge / 2;
+    // Footprints of facets may approach by the skin: each of a pair by half of it, half of that kept for the step that is under way.
+    const double limit = model_.smallest_edge * skin_in_edges / 4;
     const auto far = [limit](const Vec3& now, const Vec3& then) {
         return std::abs(now.x() - then.x()) > limit || std::abs(now.y() - then.y()) > limit;
     };
@@ -232,7 +238,7 @@ bool Simulation::moved_far() const {
 void Simulation::update_candidates() {
     candidates_outdated_ = false;
     if (!model_.projectile_contact && !model_.ply_contact) return;
-    const double skin = 2 * model_.smallest_edge;
+    const double skin = skin_in_edges * model_.smallest_edge;
     auto& nodes = model_.nodes;
     if (model_.ply_contact) {
         if (comm_.size() > 1) model_.links = rebuild_ghosts(comm_, model_.halo, model_.ply_contact->reach() + skin, model_.surface, nodes);

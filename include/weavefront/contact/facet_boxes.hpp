@@ -24,15 +24,10 @@ struct FacetBoxes {
         }
     }
 
-    [[nodiscard]] Box of(std::int32_t facet) const {
-        const auto f = static_cast<std::size_t>(facet);
-        return {{x_low[f], y_low[f], z_low[f]}, {x_high[f], y_high[f], z_high[f]}};
-    }
-
-    /// Whether a facet lies within `reach` of a box in x and y, and not more than that behind it in z.
-    [[nodiscard]] bool meet(std::size_t f, const Box& box, double reach) const {
-        return z_high[f] >= box.low.z() - reach && x_low[f] <= box.high.x() + reach && x_high[f] >= box.low.x() - reach &&
-               y_low[f] <= box.high.y() + reach && y_high[f] >= box.low.y() - reach;
+    /// Whether the box of a facet and another one overlap.
+    [[nodiscard]] bool meet(std::size_t f, const Box& box) const {
+        return z_low[f] <= box.high.z() && z_high[f] >= box.low.z() && x_low[f] <= box.high.x() && x_high[f] >= box.low.x() &&
+               y_low[f] <= box.high.y() && y_high[f] >= box.low.y();
     }
 };
 

@@ -53,7 +53,9 @@ class PlyContact {
     };
     struct Slave;
     [[nodiscard]] double touching_distance(std::int32_t ply, std::int32_t other) const;
-    void find_near(const Surface& surface, std::int32_t facet, std::span<const Vec3> x);
+    void find_reachable(const Surface& surface, std::int32_t facet);
+    [[nodiscard]] Slave lines_of(std::int32_t facet, const Surface& surface, std::span<const Vec3> x);
+    void find_near(const Slave& slave, const Surface& surface, std::span<const Vec3> x);
     bool evaluate_facet(std::int32_t facet, const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                         std::vector<PairForce>& forces);
     void press(Slave& slave, const QuadratureBatch& points, const Rays& rays, std::size_t near, const Surface& surface,
@@ -71,6 +73,7 @@ class PlyContact {
     Candidates candidates_;
     NodalNormals normals_;
     FacetBoxes boxes_;                        ///< now
+    std::vector<std::int32_t> reachable_;     ///< candidates of the facet at hand that do not lie wholly beyond reach along z
     std::vector<Near> near_;                  ///< nearest ply first, in it the nearest centre first
     std::vector<std::int32_t> pair_of_;       ///< of each of `near_`: its place among the forces, or -1
     std::vector<std::vector<Batch>> points_;  ///< of the owned facets; empty where they do not touch

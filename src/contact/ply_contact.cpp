@@ -189,8 +189,9 @@ bool PlyContact::evaluate_facet(std::int32_t f, const Surface& surface, std::spa
     find_near(slave, surface, x);
     if (near_.empty()) return false;
     slave.velocities = corners_of(surface.facets[static_cast<std::size_t>(f)].nodes, v);
-    auto& batches = points_[static_cast<std::size_t>(f)];
-    if (batches.empty()) batches.resize(slave.rule.size());
+    auto& points = points_[static_cast<std::size_t>(f)];
+    std::array<Batch, most_batches> batches{};
+    std::ranges::copy(points, batches.begin());
     pair_of_.assign(near_.size(), -1);
     for (std::size_t b = 0; b < slave.rule.size(); ++b) {
         OpenPoints open{{}, slave.rule[b].count};
@@ -200,6 +201,7 @@ bool PlyContact::evaluate_facet(std::int32_t f, const Surface& surface, std::spa
         for (std::size_t i = 0; i < batch_width; ++i)
             if (open.lane[i]) batches[b].point[i] = {};
     }
+    if (slave.touching) points.assign(batches.begin(), batches.begin() + static_cast<std::ptrdiff_t>(slave.rule.size()));
     return slave.touching;
 }
 
@@ -210,9 +212,7 @@ void PlyContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         if (!surface.alive[static_cast<std::size_t>(f)]) continue;
         find_reachable(surface, f);
-        auto& points = points_[static_cast<std::size_t>(f)];
-        if (reachable_.empty() || !evaluate_facet(f, surface, x, v, dt, forces))
-            if (!points.empty()) points = {};
+        if (reachable_.empty() || !evaluate_facet(f, surface, x, v, dt, forces)) points_[static_cast<std::size_t>(f)].clear();
     }
 }
 

@@ -65,6 +65,8 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
         initial_projectile_ = model_.projectile->position;
         initial_energy_ = scene.projectile->mass * model_.projectile->velocity.squaredNorm() / 2;
     }
+    for (std::size_t n = 0; n < model_.nodes.supports.size(); ++n)
+        if (model_.nodes.supports[n] != 0) held_.push_back(n);
     energy_ = parallel::FixedPoint(initial_energy_ > 0 ? initial_energy_ : 1);
     adapt_time_step();
     update_candidates();
@@ -75,6 +77,7 @@ void Simulation::advance_forces() {
     advance_elements();
     evaluate_contact();
     sum_over_ranks();
+    hold_supports();
     if (steps_ % steps_between_checks == 0) adapt_time_step();
 }
 
@@ -191,28 +194,35 @@ void Simulation::adapt_time_step() {
     for (const auto& group : model_.groups) group->set_time_step(dt_);
 }
 
-Vec3 Simulation::acceleration(std::size_t node) const {
-    Vec3 a = model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node];
-    for (int d = 0; d < 3; ++d)
-        if (model_.nodes.supports[node] & (1U << static_cast<unsigned>(d))) a[d] = 0;
-    return a;
+void Simulation::hold_supports() {
+    for (const auto n : held_)
+        for (std::size_t d = 0; d < 3; ++d)
+            if (model_.nodes.supports[n] & (1U << d)) model_.nodes.force[n][d] = 0;
 }
 
 Vec3 Simulation::next_velocity(std::size_t node) const {
     const double step = (last_dt_ + dt_) / 2, drag = scene_.damping * step / 2;
-    const Vec3 push = step * acceleration(node);
-    if (drag == 0) return model_.nodes.v[node] + push;
-    return ((1 - drag) * model_.nodes.v[node] + push) / (1 + drag);
+    if (drag == 0) return model_.nodes.v[node] + push(node, step);
+    return ((1 - drag) * model_.nodes.v[node] + push(node, step)) / (1 + drag);
 }
 
 void Simulation::move_nodes() {
     auto& nodes = model_.nodes;
-    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
-        const Vec3 v = next_velocity(n);
-        if (scene_.damping > 0 && nodes.owned[n]) damping_work_ += energy_.from(damping_work(n, v, last_dt_, dt_));
-        nodes.v[n] = v;
-        nodes.x[n] += dt_ * v;
-    }
+    // The branch is not within the loop: what the scene leaves out costs nothing by the node.
+    const auto move = [&](auto velocity) {
+        for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
+            nodes.v[n] = velocity(n);
+            nodes.x[n] += dt_ * nodes.v[n];
+        }
+    };
+    if (scene_.damping > 0)
+        move([&](std::size_t n) {
+            const Vec3 next = next_velocity(n);
+            if (nodes.owned[n]) damping_work_ += energy_.from(damping_work(n, next, last_dt_, dt_));
+            return next;
+        });
+    else
+        move([&, step = (last_dt_ + dt_) / 2](std::size_t n) -> Vec3 { return nodes.v[n] + push(n, step); });
     if (model_.projectile) {
         model_.projectile->velocity += (last_dt_ + dt_) / 2 / scene_.projectile->mass * projectile_force_;
         model_.projectile->position += dt_ * model_.projectile->velocity;

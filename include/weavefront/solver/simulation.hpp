@@ -59,6 +59,7 @@ class Simulation {
     void evaluate_contact();
     void sum_over_ranks();
     void adapt_time_step();
+    void hold_supports();
     void move_nodes();
     void update_candidates();
     void note(const shell::Events& events);
@@ -66,7 +67,10 @@ class Simulation {
     [[noreturn]] void stop_at_fault() const;
     [[nodiscard]] bool moved_far() const;
     [[nodiscard]] Vec3 whole_force(const FixedVector& on_part) const;
-    [[nodiscard]] Vec3 acceleration(std::size_t node) const;
+    /// Change of a node's velocity without damping. @param step from the middle of the last step to that of this one, s
+    [[nodiscard]] Vec3 push(std::size_t node, double step) const {
+        return step * (model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node]);
+    }
     [[nodiscard]] Vec3 next_velocity(std::size_t node) const;
     [[nodiscard]] double damping_work(std::size_t node, const Vec3& next, double backward, double forward) const;
 
@@ -76,6 +80,7 @@ class Simulation {
     mesh::Panel panel_;
     Model model_;
     double multiplicity_;
+    std::vector<std::size_t> held_;  // nodes with a support
 
     double time_ = 0, dt_ = 0, last_dt_ = 0;  // last_dt_: from the last state to this one
     std::int64_t steps_ = 0;

@@ -20,6 +20,9 @@ BUILD = HERE.parents[1] / "build" / "release"
 PLIES = 8
 
 K = "fabrics.kevlar129."
+AT_NODES = {"contact.spacing": "nodes", "contact.projectile.unloading": "1", "contact.plies.unloading": "1"}
+STIFFNESS_HALF = {"contact.projectile.stiffness": "2.8e12 N/m^3", "contact.plies.stiffness": "5.5e12 N/m^3"}
+STIFFNESS_TWICE = {"contact.projectile.stiffness": "1.12e13 N/m^3", "contact.plies.stiffness": "2.2e13 N/m^3"}
 INTEGRATED = {"contact.spacing": "0.25 mm", "contact.projectile.unloading": "10", "contact.plies.unloading": "10"}
 
 
@@ -38,19 +41,26 @@ STUDIES = {
     "428i": Study("impact_428.yaml", INTEGRATED, "428 m/s, integrated hysteretic contact"),
     "550": Study("impact_550.yaml", {}, "550 m/s"),
     "267 fine": Study("impact_267.yaml", {}, "267 m/s, to 200 us"),
+    "267 frame": Study("impact_267_frame.yaml", {}, "267 m/s, clamps 101.6 mm apart, the other edges on a frame, to 220 us"),
+    "428 frame": Study("impact_267_frame.yaml", {"projectile.velocity": "[0, 0, 428 m/s]"}, "428 m/s, supported in the same way"),
 }
 
 # By importance: a study that is cut short has done what matters most. A variant is run in the studies that it names.
-BOTH, ALL = ("267", "428"), ("267", "428", "428i")
+BOTH, ALL, FRAMED = ("267", "428"), ("267", "428", "428i"), ("267 frame", "428 frame")
+# A net of straight yarns that neither press on nor rub each other and resist no shear, in a panel too large for its edges to matter.
+NET = {K + "thickness": "0.02 mm", K + "friction": "0", K + "lateral": "", K + "transverse_shear": "0", K + "hourglass": "0.005",
+       K + "failure": "", "target.size": "[304.8 mm, 304.8 mm]"}
 VARIANTS = {
-    "as shipped": ({}, (*ALL, "267 fine", "550")),
+    "as shipped": ({}, (*ALL, "267 fine", "550", *FRAMED)),
     "y edges sliding": ({"target.edges.y": "sliding"}, (*ALL, "267 fine")),
     "y edges free": ({"target.edges.y": "free"}, (*BOTH, "267 fine")),
-    "thickness t = 0.4 mm": ({K + "thickness": "0.4 mm"}, ALL),
+    "y edges on a frame": ({"target.edges.y": "frame", "target.frame": "{opening: {y: 190.5 mm}}"}, (*ALL, "267 fine")),
+    "independent yarns": (NET, ("267",)),
+    "thickness t = 0.4 mm": ({K + "thickness": "0.4 mm"}, (*ALL, *FRAMED)),
     "formulation paper": ({K + "formulation": "paper"}, BOTH),
     "mesh 2 mm": ({"target.mesh.center": "2 mm"}, ("428", "428i")),
     "mesh 0.75 mm": ({"target.mesh.center": "0.75 mm"}, ("428",)),
-    "mesh 0.5 mm": ({"target.mesh.center": "0.5 mm"}, ("428", "267 fine")),
+    "mesh 0.5 mm": ({"target.mesh.center": "0.5 mm"}, ("428", "267 fine", "267 frame")),
     "contact stiffness / 4": ({"contact.projectile.stiffness": "1.4e12 N/m^3", "contact.plies.stiffness": "2.8e12 N/m^3"}, ALL),
     "contact stiffness x 4": ({"contact.projectile.stiffness": "2.24e13 N/m^3", "contact.plies.stiffness": "4.4e13 N/m^3"}, BOTH),
     "contact spacing 0.5 mm": ({"contact.spacing": "0.5 mm"}, ("267",)),
@@ -74,8 +84,19 @@ VARIANTS = {
     "thickness t = 0.6 mm": ({K + "thickness": "0.6 mm"}, BOTH),
     "w = 0.2 mm": ({K + "yarn.width": "0.2 mm"}, BOTH),
     "yarn friction 0.3": ({K + "friction": "0.3"}, BOTH),
-    "hourglass 0.01": ({K + "hourglass": "0.01"}, BOTH),
+    "hourglass 0.01": ({K + "hourglass": "0.01"}, (*BOTH, "267 frame")),
     "contact spacing 0.125 mm": ({"contact.spacing": "0.125 mm"}, ("267", "428i")),
+    "frame opening 114.3 mm": ({"target.frame.opening.y": "114.3 mm"}, ("267 frame",)),
+    "frame edge radius 3 mm": ({"target.frame.edge_radius": "3 mm"}, ("267 frame",)),
+    "clamps 114.3 mm apart": ({"target.size": "[114.3 mm, 127 mm]"}, ("267 frame",)),
+    "contact at the nodes, elastic": (AT_NODES, ("428 frame",)),
+    "stiffness of contact / 2": (STIFFNESS_HALF, ("550",)),
+    "stiffness of contact x 2": (STIFFNESS_TWICE, ("550",)),
+    "unloading ratio 5": ({"contact.projectile.unloading": "5", "contact.plies.unloading": "5"}, ("550",)),
+    "unloading ratio 20": ({"contact.projectile.unloading": "20", "contact.plies.unloading": "20"}, ("550",)),
+    "hourglass 0.02": ({K + "hourglass": "0.02"}, ("550",)),
+    "hourglass 0.1": ({K + "hourglass": "0.1"}, ("550",)),
+    "time.safety 0.6": ({"time.safety": "0.6"}, ("550",)),
     "mesh 1 mm": ({"target.mesh.center": "1 mm"}, ("550",)),
     "mesh 0.35 mm": ({"target.mesh.center": "0.35 mm"}, ("550",)),
 }

@@ -40,10 +40,7 @@ class FeatureGroup final : public ElementGroup {
         for (std::int32_t index = 0; index < size(); ++index) {
             if (!alive(index)) continue;
             const auto corners = corners_of(index, x);
-            const auto quad = quad_of(index);
-            const auto stiffness = fabric::stiffness_bound<F>(constants_, state_of(index));
-            condition.omega_squared =
-                std::max(condition.omega_squared, critical_frequency_squared(quad, stiffness, state_of(index), hourglass_, areal_density_));
+            condition.omega_squared = std::max(condition.omega_squared, omega_squared(index, condition.omega_squared));
             if (is_inverted(corners)) condition.inverted.push_back(index);
         }
         return condition;
@@ -73,6 +70,17 @@ class FeatureGroup final : public ElementGroup {
     }
 
   private:
+    /// Bound on the squared frequency of an element; a rough one where that is below `known` already.
+    [[nodiscard]] double omega_squared(std::int32_t index, double known) const {
+        const auto quad = quad_of(index);
+        const auto state = state_of(index);
+        const double rough =
+            critical_frequency_squared(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
+        if constexpr (F.paper()) return rough;  // its stresses derive from no energy
+        if (rough <= known) return rough;
+        return std::min(rough, critical_frequency_squared(quad, fabric::tangent_bound<F>(constants_, state), hourglass_, areal_density_));
+    }
+
     double* state_at(std::int32_t pack) { return state_.data() + static_cast<std::size_t>(pack) * state_fields * pack_width; }
     [[nodiscard]] const double* state_at(std::int32_t pack) const {
         return state_.data() + static_cast<std::size_t>(pack) * state_fields * pack_width;

@@ -18,10 +18,9 @@ struct Stiffness {
 };
 
 /// Instantaneous tangent of a state, bounded from above (see README.md, "Stiffness"):
-/// - yarn: Ka S/s, since dN/dlambda at a held crossover is (S/s)(Ka cos^2 beta (s/2)/L + sigma sin^2 beta cos beta/lambda) with s/2 <= L,
-/// plus the
-///   geometric |n|/lambda^2. Letting the crossover go can only soften yarns in tension: the relaxed Hessian is W_ll - W_ld W_ld/W_dd with
-///   W_dd > 0. The second derivative of psi by the components of g adds |m|/(2 lambda^2).
+/// - yarn: Ka S/s (s/2)/L, since dN/dlambda at a held crossover is (S/s)(Ka cos^2 beta (s/2)/L + sigma sin^2 beta cos beta/lambda), plus
+///   the geometric |n|/lambda^2. Letting the crossover go can only soften yarns in tension: the relaxed Hessian is W_ll - W_ld W_ld/W_dd
+///   with W_dd > 0. The second derivative of psi by the components of g adds |m|/(2 lambda^2).
 /// - packing: e_f = ln lambda_w + ln sin psi couples stretch and angle; (x + y)^2 <= 2 x^2 + 2 y^2 separates them. Unpacking lets p go at a
 ///   rate dalpha/dpsi = 1/(2 Dtheta), as a spring of p/(2 alpha Dtheta) would.
 /// - angle: packing with its geometric |p|/sin^2 psi, friction while it sticks, and the geometric |m|/2 (|cot psi| + 1/sin psi) of yarns
@@ -30,7 +29,7 @@ struct Stiffness {
 /// yarns.
 template <Features F, class Real>
 [[nodiscard]] WEAVEFRONT_INLINE Stiffness<Real> stiffness_bound(const Constants& c, const State<Real>& state) {
-    const double yarn = c.instant_modulus * c.area / c.span;
+    const double yarn = c.instant_modulus * c.area / c.span * (0.5 * c.span * c.inverse_length);
     const Real inverse_f = 1.0 / state.lambda_f, inverse_w = 1.0 / state.lambda_w;
     Stiffness<Real> k{.yarn_f = yarn, .yarn_w = yarn, .lateral = 0.0, .angle = 0.0};
     if constexpr (F.failure) {

@@ -1,0 +1,63 @@
+#include "textbook_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "weavefront/mesh/panel.hpp"
+
+namespace weavefront::benchmark {
+
+namespace {
+
+// As the solver has them: other values would be other arithmetic.
+constexpr std::int32_t packs_at_once = 64;
+constexpr std::int64_t steps_between_checks = 5;
+constexpr double worth_raising = 1.05;
+
+}  // namespace
+
+TextbookStep::TextbookStep(const scene::Scene& scene, const parallel::Communicator& comm)
+    : safety_(scene.time.safety), model_(solver::build_model(scene, mesh::make_panel(scene), comm)) {
+    pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
+    adapt_time_step();
+}
+
+void TextbookStep::advance() {
+    model_.assembly.start(model_.nodes.force);
+    advance_elements();
+    if (steps_ % steps_between_checks == 0) adapt_time_step();
+    move_nodes();
+    ++steps_;
+}
+
+void TextbookStep::advance_elements() {
+    shell::Events none;
+    for (const auto& group : model_.groups)
+        for (std::int32_t first = 0; first < group->packs(); first += packs_at_once) {
+            const auto count = std::min(packs_at_once, group->packs() - first);
+            group->advance(first, count, model_.nodes.x, pack_forces_, none);
+            model_.assembly.add_packs(*group, first, count, pack_forces_, model_.nodes.force);
+        }
+}
+
+void TextbookStep::adapt_time_step() {
+    double omega_squared = 0;
+    for (const auto& group : model_.groups) omega_squared = std::max(omega_squared, group->condition(model_.nodes.x).omega_squared);
+    const double bound = safety_ * 2 / std::sqrt(omega_squared);
+    if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
+    dt_ = bound;
+    for (const auto& group : model_.groups) group->set_time_step(dt_);
+}
+
+void TextbookStep::move_nodes() {
+    auto& nodes = model_.nodes;
+    const double dt = dt_, between_middles = (last_dt_ + dt) / 2;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
+        const Vec3 acceleration = model_.assembly.value(nodes.force[n]) / nodes.mass[n];
+        nodes.v[n] += between_middles * acceleration;
+        nodes.x[n] += dt * nodes.v[n];
+    }
+    last_dt_ = dt_;
+}
+
+}  // namespace weavefront::benchmark

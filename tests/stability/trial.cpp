@@ -1,0 +1,132 @@
+#include "trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "weavefront/scene/read.hpp"
+#include "weavefront/solver/guard.hpp"
+
+namespace weavefront::stability {
+
+namespace {
+
+// Steps between two looks at the energies: fast enough for an instability to be seen long before it overflows.
+constexpr std::int64_t steps_between_rows = 10;
+
+// A run that takes this many times the steps that its first time step promises is taken to hang.
+constexpr double most_steps = 50;
+
+/// FNV-1a over the bits of doubles.
+class Fingerprint {
+  public:
+    void add(double value) {
+        for (auto bits = std::bit_cast<std::uint64_t>(value); bits != 0; bits >>= 8) hash_ = (hash_ ^ (bits & 0xff)) * 0x100000001b3ULL;
+        hash_ = (hash_ ^ 0x100) * 0x100000001b3ULL;
+    }
+    [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+  private:
+    std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+/// A run under observation.
+class Watch {
+  public:
+    Watch(const Case& trial, const scene::Scene& scene, solver::Simulation& simulation, Result& result)
+        : trial_(trial), scene_(scene), simulation_(simulation), result_(result) {}
+
+    /// To the end. @throws solver::GuardStop
+    void to_the_end() {
+        const double promised = trial_.steps > 0 ? static_cast<double>(trial_.steps) : scene_.time.end / simulation_.time_step();
+        for (;;) {
+            simulation_.advance_forces();
+            const auto steps = result_.steps = simulation_.steps();
+            const bool end = trial_.steps > 0 ? steps >= trial_.steps : simulation_.time() >= scene_.time.end;
+            if (steps % steps_between_rows == 0 || end) look();
+            if (end) break;
+            if (static_cast<double>(steps) > most_steps * promised) {
+                result_.outcome = Outcome::endless;
+                return;
+            }
+            simulation_.integrate();
+        }
+        look_at_fields();
+    }
+
+  private:
+    void look() {
+        const auto row = simulation_.balance();
+        if (simulation_.steps() == 0) initial_ = row.total();
+        const double error = (row.total() - initial_) / initial_;
+        see({row.time, row.projectile.z(), row.projectile_velocity.z(), row.contact_force.z(), row.kinetic_fabric, row.kinetic_projectile,
+             row.internal, row.hourglass, row.contact, row.friction, row.damping, row.eroded, row.max_displacement, row.time_step, error});
+        result_.time = row.time;
+        result_.energy_error = std::max(result_.energy_error, std::abs(error));
+        result_.hourglass_share = std::max(result_.hourglass_share, row.hourglass / initial_);
+        result_.given = std::max(result_.given, -std::min({row.internal, row.friction, row.contact}) / initial_);
+        result_.broken_yarns = row.broken_yarns;
+        result_.eroded_elements = row.eroded_elements;
+        if (std::abs(error) > scene_.limits.energy_error)  // as an ordinary run does at each row
+            throw solver::GuardStop(fmt::format("the energy balance is off by {:.3g} % at t = {:.4g} us, step {}", error * 100,
+                                                row.time * 1e6, simulation_.steps()));
+    }
+
+    void look_at_fields() {
+        const auto& nodes = simulation_.model().nodes;
+        for (std::size_t n = 0; n < nodes.x.size(); ++n)
+            see({nodes.x[n].x(), nodes.x[n].y(), nodes.x[n].z(), nodes.v[n].x(), nodes.v[n].y(), nodes.v[n].z()});
+        const auto elements = static_cast<std::int32_t>(simulation_.model().places.size());
+        for (std::int32_t e = 0; e < elements; ++e) {
+            const auto out = simulation_.element_output(e);
+            see({out.strain_fill, out.strain_warp, out.stress_fill, out.stress_warp, out.braid_angle, out.crimp_height});
+        }
+        result_.bits = fingerprint_.value();
+    }
+
+    void see(std::initializer_list<double> values) {
+        for (const double value : values) {
+            result_.finite = result_.finite && std::isfinite(value);
+            fingerprint_.add(value);
+        }
+    }
+
+    const Case& trial_;
+    const scene::Scene& scene_;
+    solver::Simulation& simulation_;
+    Result& result_;
+    double initial_ = 0;
+    Fingerprint fingerprint_;
+};
+
+}  // namespace
+
+Result run(const Case& trial, const std::string& base, const std::string& formulation, const parallel::Communicator& comm) {
+    Result result;
+    const auto start = std::chrono::steady_clock::now();
+    auto overrides = trial.overrides;
+    overrides.push_back("fabrics.kevlar129.formulation=" + formulation);
+    try {
+        const auto scene = scene::parse_scene(base, trial.name, overrides);
+        solver::Simulation simulation(scene, comm);
+        if (trial.prepare) trial.prepare(simulation);
+        Watch(trial, scene, simulation, result).to_the_end();
+    } catch (const scene::InputError& error) {
+        result.outcome = Outcome::refused;
+        result.message = error.messages().front();
+    } catch (const solver::GuardStop& stop) {
+        result.outcome = Outcome::stopped;
+        result.message = stop.what();
+    } catch (const std::exception& fault) {
+        result.outcome = Outcome::crashed;
+        result.message = fault.what();
+    }
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+}  // namespace weavefront::stability

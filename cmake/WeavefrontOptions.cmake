@@ -13,7 +13,9 @@ add_library(weavefront_options INTERFACE)
 target_compile_features(weavefront_options INTERFACE cxx_std_20)
 target_compile_options(weavefront_options INTERFACE
     -march=${WEAVEFRONT_ARCH}
-    -ffp-contract=off -fno-math-errno  # same bits from every build; errno of sqrt is never read
+    -ffp-contract=off  # same bits from every build
+    -fno-math-errno -fno-trapping-math  # errno of sqrt is never read, and no operation is made to trap
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>  # g++ 12.2 fuses multiply and add there in spite of -ffp-contract=off (GCC bug 107647)
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
     $<$<BOOL:${WEAVEFRONT_WERROR}>:-Werror>)

@@ -1,7 +1,6 @@
 #include "weavefront/fabric/cell.hpp"
 
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -25,17 +24,6 @@ constexpr const char* header =
     "time,lambda_fill,lambda_warp,theta,h_fill,strain_fill,strain_warp,stress_fill,stress_warp,contact_factor,stress_xx,stress_yy,stress_"
     "xy,"
     "broken_fill,broken_warp";
-
-/// What the kernel asks of a deformation: stretches of the yarns and cosine of the angle between them.
-struct Kinematics {
-    double lambda_f, lambda_w, cos_2theta;
-};
-
-Kinematics kinematics(const Deformation& d) {
-    const double lambda_f = std::hypot(d.F11, d.F21), lambda_w = std::hypot(d.F12, d.F22);
-    // the columns of F are the convected yarn vectors
-    return {lambda_f, lambda_w, d.F11 / lambda_f * (d.F12 / lambda_w) + d.F21 / lambda_f * (d.F22 / lambda_w)};
-}
 
 template <fabric::Features F>
 std::array<double, 15> row(const fabric::Constants& c, double time, const fabric::State<double>& state, const Kinematics& k,

@@ -17,5 +17,6 @@ void add_run(CLI::App& app);
 void add_check(CLI::App& app);
 void add_cell(CLI::App& app);
 void add_yarn(CLI::App& app);
+void add_study(CLI::App& app);
 
 }  // namespace weavefront::app

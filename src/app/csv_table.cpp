@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <system_error>
+
+#include "weavefront/io/replace_file.hpp"
 
 namespace weavefront::app {
 
@@ -23,15 +22,6 @@ void CsvTable::add(std::span<const double> values) {
     text_ += '\n';
 }
 
-void CsvTable::write(const std::filesystem::path& path) const {
-    const std::filesystem::path unfinished = path.string() + ".new";
-    std::ofstream file(unfinished);
-    file << text_ << std::flush;
-    if (!file) throw std::runtime_error(fmt::format("{} cannot be written: {}", path.string(), std::generic_category().message(errno)));
-    file.close();
-    std::error_code failure;
-    std::filesystem::rename(unfinished, path, failure);
-    if (failure) throw std::runtime_error(fmt::format("{} cannot be written: {}", path.string(), failure.message()));
-}
+void CsvTable::write(const std::filesystem::path& path) const { io::replace_file(path, text_); }
 
 }  // namespace weavefront::app

@@ -140,6 +140,11 @@ class Reader {
 
 }  // namespace
 
+Kinematics kinematics(const Deformation& d) {
+    const double lambda_f = std::hypot(d.F11, d.F21), lambda_w = std::hypot(d.F12, d.F22);
+    return {lambda_f, lambda_w, d.F11 / lambda_f * (d.F12 / lambda_w) + d.F21 / lambda_f * (d.F22 / lambda_w)};
+}
+
 std::vector<Deformation> read_deformation_path(const std::filesystem::path& path) { return Reader(path).read(); }
 
 }  // namespace weavefront::app

@@ -15,6 +15,14 @@ struct Deformation {
     [[nodiscard]] double determinant() const { return F11 * F22 - F12 * F21; }
 };
 
+/// What the kernel asks of a deformation: stretches of the yarns and cosine of the angle between them.
+struct Kinematics {
+    double lambda_f, lambda_w, cos_2theta;
+};
+
+/// Of the convected yarn vectors, the columns of F.
+[[nodiscard]] Kinematics kinematics(const Deformation& deformation);
+
 /// Reads a CSV file with the columns time,F11,F12,F21,F22; its first row is the identity, times increase.
 /// @throws scene::InputError with every finding as file:line:column; std::runtime_error when the file cannot be read
 [[nodiscard]] std::vector<Deformation> read_deformation_path(const std::filesystem::path& path);

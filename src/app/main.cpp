@@ -39,6 +39,7 @@ void add_commands(CLI::App& app) {
     app::add_check(app);
     app::add_cell(app);
     app::add_yarn(app);
+    app::add_study(app);
 }
 
 Status run(CLI::App& app, int argc, char** argv) {

@@ -1,25 +1,11 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "commands.hpp"
-#include "frames.hpp"
-#include "left_out.hpp"
-#include "projectile_surface.hpp"
-#include "run_report.hpp"
-#include "weavefront/io/file_error.hpp"
-#include "weavefront/io/history.hpp"
-#include "weavefront/io/log.hpp"
+#include "impact.hpp"
+#include "shared_text.hpp"
 #include "weavefront/io/output_directory.hpp"
-#include "weavefront/io/progress.hpp"
-#include "weavefront/io/results.hpp"
 #include "weavefront/scene/read.hpp"
-#include "weavefront/solver/guard.hpp"
-#include "weavefront/solver/simulation.hpp"
 
 namespace weavefront::app {
 
@@ -32,131 +18,17 @@ struct Options {
 
 /// Rank 0 reads the file; all ranks parse the same text and so find the same faults.
 scene::Scene read_on_root(const Options& options, const parallel::Communicator& comm) {
-    std::string text, fault;
-    if (comm.rank() == 0) {
-        try {
-            text = scene::read_text(options.scene);
-        } catch (const std::exception& error) {
-            fault = error.what();
-        }
-    }
-    fault = comm.broadcast(fault);
-    if (!fault.empty()) throw std::runtime_error(fault);
-    return scene::parse_scene(comm.broadcast(text), options.scene.string(), options.overrides);
+    return scene::parse_scene(shared_text(options.scene, comm), options.scene.string(), options.overrides);
 }
-
-/// Times 0, interval, 2 interval, ...: each is due at the first step at or after it.
-class Schedule {
-  public:
-    explicit Schedule(double interval) : interval_(interval) {}
-
-    /// True once for every time passed.
-    bool due(double time) {
-        if (time < next_ * interval_ || next_ < 0) return false;
-        next_ = interval_ > 0 ? std::floor(time / interval_) + 1 : -1;
-        return true;
-    }
-
-  private:
-    double interval_, next_ = 0;
-};
-
-/// One run: what it computes with and what it writes.
-class Run {
-  public:
-    Run(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm)
-        : scene_(scene),
-          directory_(directory),
-          log_(directory, comm),
-          report_(scene, comm, log_),
-          simulation_(scene, comm),
-          history_(directory / "history.csv", comm),
-          results_(setup(), comm),
-          rows_(scene.output.history),
-          frames_(scene.output.interval) {}
-
-    /// Computes to the end. @throws GuardStop with everything written when the guard stopped the run
-    void to_the_end() {
-        report_.start(simulation_);
-        std::optional<std::string> stopped;
-        io::Progress progress(log_, scene_.time.end);
-        try {
-            advance(progress);
-        } catch (const solver::GuardStop& stop) {
-            stopped = stop.what();
-        } catch (const io::NotFinite& refused) {
-            stopped = refused.what();
-        }
-        if (stopped) write_frame();
-        progress.finish();
-        report_.finish(simulation_, last_, stopped, directory_);
-        if (stopped) throw GuardStop(*stopped);
-    }
-
-  private:
-    void advance(io::Progress& progress) {
-        for (;;) {
-            simulation_.advance_forces();
-            const bool end = simulation_.time() >= scene_.time.end;
-            if (rows_.due(simulation_.time()) || end) write_row();
-            if (frames_.due(simulation_.time()) || end) write_frame();
-            if (end) return;
-            simulation_.integrate();
-            progress.update(simulation_.time(), simulation_.steps(), report_.projectile_text(simulation_));
-        }
-    }
-
-    void write_row() {
-        last_ = simulation_.balance();
-        {
-            const solver::Timed timed(simulation_.seconds(), solver::Phase::output);
-            history_.write(row_of(last_));
-        }
-        if (std::abs(last_.energy_error) > scene_.limits.energy_error)
-            throw solver::GuardStop(
-                fmt::format("the energy balance is off by {:.3g} % at t = {:.6g} us, step {} (limits.energy_error allows {:.3g} %)",
-                            last_.energy_error * 100, last_.time * 1e6, simulation_.steps(), scene_.limits.energy_error * 100));
-    }
-
-    void write_frame() {
-        const solver::Timed timed(simulation_.seconds(), solver::Phase::output);
-        results_.write(frame_of(simulation_, scene_.output.fields));
-    }
-
-    [[nodiscard]] io::ResultsSetup setup() const {
-        const double interval = scene_.output.interval;
-        // First and last frame, those in between, and one for a run stopped by the guard.
-        const auto most = (interval > 0 ? static_cast<std::int64_t>(std::ceil(scene_.time.end / interval)) : 0) + 3;
-        return {directory_ / "results.vtkhdf",
-                topology_of(simulation_),
-                projectile_surface(scene_),
-                frame_of(simulation_, scene_.output.fields),
-                most,
-                scene_.resolved,
-                WEAVEFRONT_VERSION};
-    }
-
-    const scene::Scene& scene_;
-    std::filesystem::path directory_;
-    io::Log log_;
-    RunReport report_;
-    solver::Simulation simulation_;
-    io::History history_;
-    io::Results results_;
-    Schedule rows_, frames_;
-    solver::Balance last_;
-};
 
 void run(const Options& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const auto scene = read_on_root(options, comm);
-    if (comm.size() > mesh::make_panel(scene).columns())
-        throw scene::InputError(
-            {fmt::format("{} ranks for a target of {} columns: use at most that many", comm.size(), mesh::make_panel(scene).columns())});
+    require_columns(scene, comm.size());
     const auto directory = options.output.empty() ? std::filesystem::path("runs") / options.scene.stem() : options.output;
     io::prepare_output_directory(directory, comm);
-    Run(scene, directory, comm).to_the_end();
+    Impact(scene, directory, comm).to_the_end();
 }
 
 }  // namespace

@@ -14,11 +14,12 @@ namespace weavefront::io {
 
 class Log::Sinks {
   public:
-    explicit Sinks(const std::filesystem::path& directory)
-        : interactive_(::isatty(STDOUT_FILENO) == 1),
-          out_("out", std::make_shared<spdlog::sinks::stdout_sink_mt>()),
-          error_("error", std::make_shared<spdlog::sinks::stderr_sink_mt>()),
-          file_("run.log") {
+    Sinks(const std::filesystem::path& directory, Terminal terminal)
+        : interactive_(terminal == Terminal::shown && ::isatty(STDOUT_FILENO) == 1), out_("out"), error_("error"), file_("run.log") {
+        if (terminal == Terminal::shown) {
+            out_.sinks().push_back(std::make_shared<spdlog::sinks::stdout_sink_mt>());
+            error_.sinks().push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
+        }
         if (!directory.empty()) {
             constexpr bool truncate = true;
             file_.sinks().push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>((directory / "run.log").string(), truncate));
@@ -74,9 +75,9 @@ class Log::Sinks {
     spdlog::logger out_, error_, file_;
 };
 
-Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm) {
+Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm, Terminal terminal) {
     Agreement agreement(comm);
-    agreement.attempt_on_root([&] { sinks_ = std::make_unique<Sinks>(directory); });
+    agreement.attempt_on_root([&] { sinks_ = std::make_unique<Sinks>(directory, terminal); });
     agreement.settle<FileError>();
 }
 

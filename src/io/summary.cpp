@@ -1,13 +1,11 @@
 #include "weavefront/io/summary.hpp"
 
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "agreement.hpp"
 #include "weavefront/io/file_error.hpp"
+#include "weavefront/io/replace_file.hpp"
 
 namespace weavefront::io {
 
@@ -49,17 +47,6 @@ void require_finite(const Json& json, const std::string& key) {
     if (json.is_number_float() && !std::isfinite(json.get<double>())) throw NotFinite("summary: " + key + " is not finite");
     if (!json.is_structured()) return;
     for (const auto& [name, value] : json.items()) require_finite(value, json.is_object() ? name : key);
-}
-
-void replace_file(const std::filesystem::path& path, const std::string& text) {
-    const std::filesystem::path unfinished = path.string() + ".new";
-    std::ofstream file(unfinished);
-    file << text << std::flush;
-    if (!file) throw FileError(path.string() + " cannot be written: " + std::generic_category().message(errno));
-    file.close();
-    std::error_code failure;
-    std::filesystem::rename(unfinished, path, failure);
-    if (failure) throw FileError(path.string() + " cannot be written: " + failure.message());
 }
 
 }  // namespace

@@ -80,7 +80,23 @@ void place(Value& root, Value value, Cursor cursor) {
     *at = std::move(value);
 }
 
+void place_text(Value& root, const std::string& path, const std::string& value, const Location& where, Findings& findings) {
+    try {
+        place(root, parse_document(value, [&](int, int) { return where; }), {where, path, findings});
+    } catch (const InputError& error) {
+        findings.add(where, path, "a value that is not YAML", "a value as a scene file would hold it");
+    }
+}
+
 }  // namespace
+
+void apply_settings(Value& root, std::span<const Setting> settings, Findings& findings) {
+    int order = 0;
+    for (const Setting& setting : settings) {
+        const Location where{.text = setting.where, .line = std::numeric_limits<int>::max(), .column = ++order};
+        place_text(root, setting.path, setting.value, where, findings);
+    }
+}
 
 void apply_overrides(Value& root, const std::vector<std::string>& overrides, Findings& findings) {
     int order = 0;
@@ -91,12 +107,7 @@ void apply_overrides(Value& root, const std::vector<std::string>& overrides, Fin
             findings.add(where, "", "no PATH=VALUE", "such as --set projectile.mass='2.8 g'");
             continue;
         }
-        const std::string path = text.substr(0, equals);
-        try {
-            place(root, parse_document(text.substr(equals + 1), [&](int, int) { return where; }), {where, path, findings});
-        } catch (const InputError& error) {
-            findings.add(where, path, "a value that is not YAML", "a value as a scene file would hold it");
-        }
+        place_text(root, text.substr(0, equals), text.substr(equals + 1), where, findings);
     }
 }
 

@@ -8,18 +8,12 @@
 #include <limits>
 #include <sstream>
 
+#include "hash.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
 
 namespace weavefront::scene {
 namespace {
-
-// FNV-1a, 64 bits.
-std::uint64_t fnv1a(std::string_view text) {
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    return hash;
-}
 
 // A section that only the impact must have.
 template <typename Read>
@@ -52,11 +46,16 @@ Scene read_parts(Section& root, Need need) {
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides, Need need) {
+    return parse_changed_scene(
+        text, name, [&](Value& root, Findings& findings) { apply_overrides(root, overrides, findings); }, need);
+}
+
+Scene parse_changed_scene(const std::string& text, const std::string& name, const Change& change, Need need) {
     Value document = parse_document(text, [&](int line, int column) {
         return Location{fmt::format("{}:{}:{}", name, line, column), line, column};
     });
     Context context;
-    apply_overrides(document, overrides, context.findings);
+    change(document, context.findings);
     const Location start{fmt::format("{}:1:1", name), 1, 1};
     if (document.kind != Value::Kind::map) {
         context.findings.add(start, "", describe(document), "a map of keys, beginning with title or fabrics");
@@ -68,7 +67,7 @@ Scene parse_scene(const std::string& text, const std::string& name, const std::v
     context.findings.raise();
 
     scene.resolved = resolved_text(scene);
-    scene.hash = fmt::format("{:016x}", fnv1a(scene.resolved));
+    scene.hash = hash_of(scene.resolved);
     return scene;
 }
 

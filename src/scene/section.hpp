@@ -53,6 +53,8 @@ class Section {
     /// Whether the key is there; asking makes it a known key.
     bool has(std::string_view key) { return entry(key) != nullptr; }
     bool has_list(std::string_view key);
+    /// What the file holds under the key, for readers of their own; null when it is not there.
+    const Entry* raw(std::string_view key) { return entry(key); }
     /// Whether the value is this word.
     bool says(std::string_view key, std::string_view word);
 

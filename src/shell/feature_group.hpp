@@ -76,9 +76,15 @@ class FeatureGroup final : public ElementGroup {
         const auto state = state_of(index);
         const double rough =
             critical_frequency_squared(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
-        if constexpr (F.paper()) return rough;  // its stresses derive from no energy
-        if (rough <= known) return rough;
+        if (rough <= known || !sharper_bound_pays(state)) return rough;
         return std::min(rough, critical_frequency_squared(quad, fabric::tangent_bound<F>(constants_, state), hourglass_, areal_density_));
+    }
+
+    /// Only packed yarns couple so strongly that the exact tangent is far below its rough bound. The printed stresses derive from no
+    /// energy and have no such tangent.
+    [[nodiscard]] static bool sharper_bound_pays(const fabric::State<double>& state) {
+        if constexpr (F.lateral && !F.paper()) return state.alpha > 0;
+        return false;
     }
 
     double* state_at(std::int32_t pack) { return state_.data() + static_cast<std::size_t>(pack) * state_fields * pack_width; }

@@ -13,7 +13,7 @@ from pathlib import Path
 MPIEXEC, PLOT, WEAVEFRONT = sys.argv.pop(), sys.argv.pop(), sys.argv.pop()
 ROOT = Path(__file__).resolve().parents[2]
 SCENES = sorted((ROOT / "examples").glob("*/*.yaml"))
-DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "examples").glob("*/README.md"))]
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "examples").rglob("README.md"))]
 
 
 def call(*command, status=0):

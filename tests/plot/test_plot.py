@@ -158,6 +158,7 @@ class Refusals(OnRuns):
         self.refused(2, "'30' is not a number with one of the units", self.soft, "--times", "30")
         self.refused(2, "must be greater than zero", self.soft, "--window", "0mm")
         self.refused(2, "not both", self.soft, "--yarn", self.soft / "history.csv")
+        self.refused(2, "give one of RUN, --yarn and --study", self.soft, "--study", self.soft)
 
     def test_missing_files(self):
         self.refused(3, "no such folder", self.folder / "nowhere")
@@ -167,6 +168,7 @@ class Refusals(OnRuns):
         self.refused(3, "results.vtkhdf: no such file", empty, "--only", "section")
         self.refused(3, "none.csv: No such file", self.soft, "--measured", self.folder / "none.csv")
         self.refused(3, "none.csv: No such file", "--yarn", self.folder / "none.csv")
+        self.refused(3, "study.json: No such file", "--study", empty)
 
     def test_wrong_content(self):
         bad = self.folder / "bad"
@@ -181,6 +183,8 @@ class Refusals(OnRuns):
         measured.write_text(YARN.format(failure=21), encoding="utf-8")
         self.refused(2, "failure 21 is none of", "--yarn", measured, "--output", self.folder / "y.png")
         self.assertFalse((self.folder / "y.png").exists())
+        (bad / "study.json").write_text("no JSON", encoding="utf-8")
+        self.refused(2, "study.json: not JSON", "--study", bad)
 
     def test_results_without_what_is_asked_for(self):
         self.refused(2, "no cell array 'spin'; it has ply, strain_fill", self.soft, "--field", "spin")

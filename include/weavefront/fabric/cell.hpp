@@ -64,9 +64,9 @@ template <Features F, class Real>
 
 /// Brings the yarns to the end of the step: crimp interchange, stress, failure; IT04 (18)-(36).
 /// @param state crossover height, stresses and intact flags are updated; the stretches are still those of the start
-template <Features F, class Real>
+template <Features F, class Real, class Search>
 WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step& step, State<Real>& state, const Real& lambda_f,
-                                                 const Real& lambda_w) {
+                                                 const Real& lambda_w, Search search) {
     const double half_span = 0.5 * c.span;
     const double half_thickness = 0.5 * c.thickness;
     const BarLengths<Real> before = bar_lengths<F>(c, state);
@@ -85,11 +85,11 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
                                        .a_mid_w = 0.5 * (state.lambda_w + lambda_w) * half_span,
                                        .sigma_f = old.sigma_f,
                                        .sigma_w = old.sigma_w};
-        const Real delta = balance_crossover(balance, Real(-bars.h_f), bars.h_w, half_thickness);
+        const Real delta = balance_crossover(balance, Real(-bars.h_f), bars.h_w, half_thickness, nullptr, search);
         state.h_f = clamp(Real(bars.h_f + delta), Real(0.0), Real(half_thickness));  // (36)
         if constexpr (F.friction) result.crossover = c.area * smaller_positive(balance.fill(delta).force, balance.warp(delta).force);
     } else if constexpr (F.crimp) {
-        const Real delta = balance_crossover(EndBalance<Real>{bars}, Real(-bars.h_f), bars.h_w, half_thickness);
+        const Real delta = balance_crossover(EndBalance<Real>{bars}, Real(-bars.h_f), bars.h_w, half_thickness, nullptr, search);
         state.h_f = clamp(Real(bars.h_f + delta), Real(0.0), Real(half_thickness));  // (36)
     }
     if constexpr (F.crimp) {
@@ -164,8 +164,10 @@ WEAVEFRONT_INLINE void add_work(State<Real>& state, const Real& lambda_f, const 
 /// @param state       of the start on entry, of the end on return; a yarn that breaks carries nothing from this step's end on
 /// @param lambda_f, lambda_w stretches of the yarn spans at the end of the step, positive
 /// @param cos_2theta  cosine of the angle between the yarns at the end of the step, d_f . d_w
-template <Features F, class Real>
-Response<Real> advance(const Constants& c, const Step& step, State<Real>& state, Real lambda_f, Real lambda_w, Real cos_2theta) {
+/// @param search      of the crimp equilibrium
+template <Features F, class Real, class Search = StatedSearch>
+Response<Real> advance(const Constants& c, const Step& step, State<Real>& state, Real lambda_f, Real lambda_w, Real cos_2theta,
+                       Search search = {}) {
     lambda_f = clamp(lambda_f, Real(smallest_stretch), Real(largest_stretch));
     lambda_w = clamp(lambda_w, Real(smallest_stretch), Real(largest_stretch));
     const Trellis<Real> now = trellis_of(cos_2theta);
@@ -177,7 +179,7 @@ Response<Real> advance(const Constants& c, const Step& step, State<Real>& state,
         dtheta = phi - state.phi;
         state.phi = phi;
     }
-    const YarnForces<Real> yarns = advance_yarns<F>(c, step, state, lambda_f, lambda_w);
+    const YarnForces<Real> yarns = advance_yarns<F>(c, step, state, lambda_f, lambda_w, search);
 
     Forces<Real> n, friction, friction_before;
     PlaneTensor<Real> T;

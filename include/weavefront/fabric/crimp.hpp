@@ -96,6 +96,14 @@ inline constexpr double bracket_tolerance = 1e-15;
 /// `bracket_tolerance`, 2^-50 < 1e-15.
 inline constexpr int evaluation_limit = 1 + newton_limit + 1 + 50;
 
+/// How exact the search is, as a type: the kernels know the stated tolerance when they are compiled. A study may ask for another one.
+struct StatedSearch {
+    /// Last Newton step over t/2.
+    [[nodiscard]] static constexpr double tolerance() { return newton_tolerance; }
+    /// Receives the number of evaluations.
+    static constexpr void count(int) {}
+};
+
 /// Change `delta` of the crossover height that balances the yarns, within [lower, upper] around zero.
 /// The root is sought from delta = 0 towards the side to which the imbalance pushes. With both yarns in tension the imbalance grows
 /// strictly with delta and the root is unique; otherwise, where the imbalance keeps its sign up to the bound, the bound is the answer.
@@ -105,9 +113,10 @@ inline constexpr int evaluation_limit = 1 + newton_limit + 1 + 50;
 /// @param lower, upper bounds of delta, m; lower <= 0 <= upper, upper - lower = t/2
 /// @param half_thickness t/2, m
 /// @param evaluations receives the number of evaluations of the slowest lane when not null
-template <class Real, class Balance>
+/// @param search      how exact
+template <class Real, class Balance, class Search = StatedSearch>
 [[nodiscard]] WEAVEFRONT_INLINE Real balance_crossover(const Balance& balance, const Real& lower, const Real& upper, double half_thickness,
-                                                       int* evaluations = nullptr) {
+                                                       int* evaluations = nullptr, Search search = {}) {
     using Mask = MaskOf<Real>;
     Real delta = 0.0;
     Imbalance<Real> now = balance(delta);
@@ -122,7 +131,7 @@ template <class Real, class Balance>
         const Real newton = delta - now.newton;
         Mask inside = (newton > low) & (newton < high);
         const Mask last =
-            (inside & (abs(now.newton) <= newton_tolerance * half_thickness)) | (high - low <= bracket_tolerance * half_thickness);
+            (inside & (abs(now.newton) <= search.tolerance() * half_thickness)) | (high - low <= bracket_tolerance * half_thickness);
         if (count > newton_limit) inside = inside & last;
         const Mask at_bound = open & (!inside) & (!last) & bound_untried;
         const Real elsewhere = select(at_bound, bound, Real(0.5 * (low + high)));
@@ -139,6 +148,7 @@ template <class Real, class Balance>
         bound_untried = bound_untried & (!at_bound);
     }
     if (evaluations) *evaluations = count;
+    search.count(count);
     return delta;
 }
 

@@ -12,6 +12,7 @@ from .history import draw_history, read_measured
 from .quantity import parse_times, parse_window
 from .run import Run
 from .section import draw_section
+from .study import draw_study
 from .yarn import draw_yarn
 
 PICTURES = ("history", "energies", "deformed", "section", "contour")
@@ -27,12 +28,12 @@ class Parser(argparse.ArgumentParser):
 
 def parser():
     """The options."""
-    options = Parser(prog="weavefront-plot", description="Draws pictures from the folder of a run, or yarn curves.", allow_abbrev=False,
+    options = Parser(prog="weavefront-plot", description="Draws pictures from the folder of a run or a study, or yarn curves.", allow_abbrev=False,
                      epilog="Exit status: 0 done, 2 bad input, 3 a file is missing or unreadable.")
     options.add_argument("run", nargs="?", type=Path, metavar="RUN",
                          help="folder with results.vtkhdf and history.csv; the run may still be going on")
     options.add_argument("--output", type=Path, metavar="PATH",
-                         help="folder for the pictures (default: RUN/plots); with --yarn the picture's file")
+                         help="folder for the pictures (default: RUN/plots); with --yarn or --study the picture's file")
     options.add_argument("--only", metavar="LIST", help=f"which pictures, from {','.join(PICTURES)} (default: all)")
     options.add_argument("--times", metavar="LIST", help="times of deformed and section, such as 30us,60us; the nearest frames are "
                          "drawn (default: four over the run with the moment of rebound)")
@@ -44,6 +45,8 @@ def parser():
     options.add_argument("--format", default="png", choices=FORMATS, help="of the pictures (default: png)")
     options.add_argument("--yarn", type=Path, metavar="CSV",
                          help="draw stress over strain from the output of 'weavefront yarn' instead of a run")
+    options.add_argument("--study", type=Path, metavar="DIR",
+                         help="draw error against cost from the folder of 'weavefront study' instead of a run, into DIR/study.png")
     return options
 
 
@@ -77,10 +80,21 @@ def plot_yarn(options):
     draw_yarn(options.yarn, path)
 
 
+def plot_study(options):
+    """--study: one picture."""
+    if options.run is not None or options.yarn is not None:
+        raise InputError("give one of RUN, --yarn and --study")
+    path = options.output or options.study / f"study.{options.format}"
+    if path.suffix[1:] not in FORMATS:
+        raise InputError(f"--output: '{path}' must end in one of .{', .'.join(FORMATS)}")
+    make_folder(path.parent)
+    draw_study(options.study, path)
+
+
 def plot_run(options):
     """The pictures of a run."""
     if options.run is None:
-        raise InputError("give the folder of a run, or --yarn CSV; see weavefront-plot --help")
+        raise InputError("give the folder of a run, --yarn CSV or --study DIR; see weavefront-plot --help")
     names = chosen_pictures(options.only)
     times = parse_times(options.times) if options.times is not None else None
     window = parse_window(options.window) if options.window is not None else None
@@ -112,7 +126,12 @@ def main():
     try:
         options = parser().parse_args()
         style.apply()
-        plot_yarn(options) if options.yarn is not None else plot_run(options)
+        if options.study is not None:
+            plot_study(options)
+        elif options.yarn is not None:
+            plot_yarn(options)
+        else:
+            plot_run(options)
     except Failure as failure:
         print(f"weavefront-plot: {failure}", file=sys.stderr)
         return failure.status

@@ -1,0 +1,42 @@
+#pragma once
+/// @file
+/// One impact, from its scene to its folder of results.
+
+#include <filesystem>
+#include <memory>
+
+#include "weavefront/io/log.hpp"
+#include "weavefront/parallel/communicator.hpp"
+#include "weavefront/scene/scene.hpp"
+
+namespace weavefront::app {
+
+/// One impact: what it computes with and what it writes.
+class Impact {
+  public:
+    /// @param scene     must outlive this object
+    /// @param directory for history.csv, results.vtkhdf, summary.json and run.log; exists
+    /// @param comm      ranks that compute it; must outlive this object
+    /// @param terminal  whether the log is shown
+    /// @note Collective
+    Impact(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm,
+           io::Terminal terminal = io::Terminal::shown);
+    ~Impact();
+    Impact(const Impact&) = delete;
+    Impact& operator=(const Impact&) = delete;
+
+    /// Computes to the end. @throws GuardStop with everything written when the guard stopped the run
+    void to_the_end();
+
+  private:
+    class Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// Refuses more ranks than columns of elements. @throws scene::InputError
+void require_columns(const scene::Scene& scene, int ranks);
+
+/// The number of columns of elements: the most ranks that an impact can use.
+int columns_of(const scene::Scene& scene);
+
+}  // namespace weavefront::app

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "shared_text.hpp"
+#include "study/measure.hpp"
+#include "study/study_entries.hpp"
+#include "study/study_files.hpp"
+#include "study/study_picture.hpp"
+#include "study/study_report.hpp"
+#include "study/study_run.hpp"
+#include "study/vocabulary.hpp"
+#include "weavefront/io/output_directory.hpp"
+
+namespace weavefront::app {
+
+namespace {
+
+struct Options {
+    std::filesystem::path study, output, check;
+    bool no_picture = false;
+};
+
+void write_results(const scene::Study& study, const std::vector<StudyEntry>& entries, const Options& options, io::Log& log) {
+    const std::vector<StudyRow> rows = measure_study(study, entries, options.output);
+    write_study_files(study, entries, rows, options.output);
+    report_study(study, entries, rows, log);
+    if (!options.check.empty()) check_against_table(study, options.output / "study.csv", options.check, log);
+}
+
+/// @returns whether this is the rank that draws
+bool compute(const Options& options) {
+    const parallel::Environment environment(nullptr, nullptr);
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const scene::Study study = scene::parse_study(shared_text(options.study, comm), options.study.string(), vocabulary);
+    const std::vector<StudyEntry> entries = study_entries(study, shared_text(study.scene, comm));
+    // Found missing now rather than when everything has been computed.
+    if (study.reference.kind == scene::Reference::Kind::file) shared_text(study.reference.file, comm);
+    io::prepare_output_directory(options.output, comm);
+    io::Log log(options.output, comm);
+    log.info(fmt::format("Weavefront {}: study {}", WEAVEFRONT_VERSION, study.title));
+    run_study(study, entries, options.output, comm, log);
+    if (comm.rank() == 0) write_results(study, entries, options, log);
+    return comm.rank() == 0;
+}
+
+void study(Options options) {
+    if (options.output.empty()) {
+        // Studies are called study.yaml in a folder that says of what.
+        const std::filesystem::path whole = std::filesystem::absolute(options.study);
+        options.output = std::filesystem::path("runs") / (whole.stem() == "study" ? whole.parent_path().filename() : whole.stem());
+    }
+    // A program is started when MPI has ended: not every MPI allows it before.
+    if (compute(options) && !options.no_picture) draw_study(options.output);
+}
+
+}  // namespace
+
+void add_study(CLI::App& app) {
+    auto* command = app.add_subcommand("study", "Compute variants of a scene and their errors: mpirun -n N weavefront study STUDY");
+    auto options = std::make_shared<Options>();
+    command->add_option("STUDY", options->study, "Study file (YAML)")->required();
+    command->add_option("--output", options->output,
+                        "Folder for study.csv, study.json, study.png and one folder a variant (default: runs/<study name>); variants that "
+                        "it holds already are not computed again");
+    command->add_option("--check", options->check,
+                        "A study.csv of before: status 1 when a quantity is off by more than its tolerance in the study file");
+    command->add_flag("--no-picture", options->no_picture, "Do not have weavefront-plot draw study.png");
+    command->callback([options] { study(*options); });
+}
+
+}  // namespace weavefront::app

@@ -1,0 +1,155 @@
+#include "study_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "hand_out.hpp"
+#include "variant_run.hpp"
+#include "weavefront/io/output_directory.hpp"
+#include "weavefront/io/progress.hpp"
+
+namespace weavefront::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// The ranks of one colour. @note Collective
+parallel::Communicator split(const parallel::Communicator& comm, int colour) {
+    MPI_Comm part = MPI_COMM_NULL;
+    parallel::check(MPI_Comm_split(comm.get(), colour, comm.rank(), &part));
+    parallel::Communicator owned(part);
+    MPI_Comm_free(&part);
+    return owned;
+}
+
+class StudyRun {
+  public:
+    StudyRun(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
+             const parallel::Communicator& comm, io::Log& log)
+        : study_(study), entries_(entries), folder_(folder), comm_(comm), log_(log), hand_out_(comm) {}
+
+    void run() {
+        choose_pending();
+        const study::RankPlan plan = study::plan_ranks(jobs_, comm_.size());
+        say(plan);
+        for (std::size_t i = 0; i < plan.together; ++i) compute_together(plan.order[i]);
+        compute_side_by_side(plan);
+        raise_failure();
+    }
+
+  private:
+    void choose_pending() {
+        std::vector<std::int32_t> pending;
+        if (comm_.rank() == 0) {
+            for (std::size_t i = 0; i < entries_.size(); ++i)
+                if (!is_computed(entries_[i].input, folder_of(i))) pending.push_back(static_cast<std::int32_t>(i));
+        }
+        comm_.broadcast(pending);
+        for (const std::int32_t i : pending) {
+            pending_.push_back(static_cast<std::size_t>(i));
+            jobs_.push_back(job_of(study_.compute, entries_[static_cast<std::size_t>(i)].input));
+            total_ += jobs_.back().cost;
+        }
+    }
+
+    [[nodiscard]] std::filesystem::path folder_of(std::size_t entry) const { return folder_ / entries_[entry].variant.name; }
+
+    void say(const study::RankPlan& plan) {
+        const std::size_t before = entries_.size() - pending_.size();
+        log_.info(fmt::format("  variants      {}, of them {} computed before", entries_.size(), before));
+        if (pending_.empty()) return;
+        std::string text;
+        if (plan.together > 0) text += fmt::format("the longest {} on all {}, one after another", plan.together, comm_.size());
+        const std::size_t rest = pending_.size() - plan.together;
+        if (rest > 0 && plan.together > 0) text += "; then ";
+        if (rest > 0)
+            text += plan.groups > 1 ? fmt::format("{} by {} groups side by side", rest, plan.groups) : "one variant after another";
+        log_.info(fmt::format("  ranks         {}: {}", comm_.size(), text));
+    }
+
+    void compute_together(std::size_t job) {
+        const bool takes_part = comm_.rank() < jobs_[job].columns;
+        const parallel::Communicator group = split(comm_, takes_part ? 0 : 1);
+        if (takes_part) compute(job, group);
+    }
+
+    void compute_side_by_side(const study::RankPlan& plan) {
+        const std::size_t rest = pending_.size() - plan.together;
+        const parallel::Communicator group = split(comm_, study::group_of(comm_.rank(), comm_.size(), plan.groups));
+        for (;;) {
+            std::vector<std::int32_t> next(1);
+            if (group.rank() == 0) next[0] = static_cast<std::int32_t>(std::min<std::int64_t>(hand_out_.next(), std::ssize(pending_)));
+            group.broadcast(next);
+            if (next[0] < 0 || static_cast<std::size_t>(next[0]) >= rest) return;
+            const std::size_t job = plan.order[plan.together + static_cast<std::size_t>(next[0])];
+            const bool takes_part = group.rank() < jobs_[job].columns;
+            const parallel::Communicator part = split(group, takes_part ? 0 : 1);
+            if (takes_part) compute(job, part);
+        }
+    }
+
+    void compute(std::size_t job, const parallel::Communicator& group) {
+        const std::size_t entry = pending_[job];
+        const Clock::time_point begin = Clock::now();
+        try {
+            io::prepare_output_directory(folder_of(entry), group);
+            compute_variant(study_.compute, entries_[entry].input, folder_of(entry), group);
+        } catch (const std::exception& error) {  // thrown alike on all ranks of the group; the other groups go on
+            if (failure_.empty()) failure_ = entries_[entry].variant.name + ": " + error.what();
+        }
+        if (group.rank() == 0) tell(job, seconds_since(begin));
+    }
+
+    void tell(std::size_t job, double seconds) {
+        // In parts of a billion, since the counters are whole numbers.
+        const auto done = static_cast<double>(hand_out_.done(std::llround(jobs_[job].cost / total_ * 1e9))) / 1e9;
+        const double left = done > 0 ? seconds_since(begin_) * (1 - std::min(done, 1.0)) / done : 0;
+        const std::int64_t finished = hand_out_.finished();
+        const std::string name = entries_[pending_[job]].variant.name;
+        // Leaders of groups print for themselves; whole lines, so that they do not mix.
+        const std::string line =
+            fmt::format("  [{}/{}] {}: {:.2f} s, {} left\n", finished, pending_.size(), name, seconds, io::duration_text(left));
+        std::fputs(line.c_str(), stdout);
+        std::fflush(stdout);
+    }
+
+    void raise_failure() {
+        for (int rank = 0; rank < comm_.size(); ++rank) {
+            std::int64_t length = static_cast<std::int64_t>(failure_.size());
+            parallel::check(MPI_Bcast(&length, 1, MPI_INT64_T, rank, comm_.get()));
+            if (length == 0) continue;
+            failure_.resize(static_cast<std::size_t>(length));
+            parallel::check(MPI_Bcast(failure_.data(), static_cast<int>(length), MPI_CHAR, rank, comm_.get()));
+            throw std::runtime_error(failure_);
+        }
+    }
+
+    const scene::Study& study_;
+    std::span<const StudyEntry> entries_;
+    std::filesystem::path folder_;
+    const parallel::Communicator& comm_;
+    io::Log& log_;
+    HandOut hand_out_;
+    std::vector<std::size_t> pending_;  // entries to compute
+    std::vector<study::Job> jobs_;      // one each
+    double total_ = 0;
+    std::string failure_;
+    Clock::time_point begin_ = Clock::now();
+};
+
+}  // namespace
+
+void run_study(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
+               const parallel::Communicator& comm, io::Log& log) {
+    StudyRun(study, entries, folder, comm, log).run();
+}
+
+}  // namespace weavefront::app

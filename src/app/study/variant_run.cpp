@@ -1,0 +1,66 @@
+#include "variant_run.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "deformation_path.hpp"
+#include "impact.hpp"
+#include "test_curves.hpp"
+#include "versions.hpp"
+#include "weavefront/io/summary.hpp"
+#include "weavefront/mesh/panel.hpp"
+
+namespace weavefront::app {
+
+namespace {
+
+double element_steps(const scene::Scene& scene) {
+    const double elements = static_cast<double>(mesh::make_panel(scene).elements());
+    return elements * scene.time.end / (scene.time.safety * scene.target->mesh.center);  // steps in proportion to end over size
+}
+
+void write_curve(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& folder,
+                 const parallel::Communicator& comm) {
+    const TestCurve curve = compute == scene::Compute::yarn ? yarn_curve(variant) : cell_curve(variant);
+    curve.table.write(folder / "history.csv");
+    io::Summary summary;
+    summary.status = "finished";
+    summary.reason = "end of the path reached";
+    summary.versions = library_versions();
+    summary.scene_hash = variant.hash;
+    summary.title = variant.scene.title;
+    summary.elements = summary.nodes = 1;
+    summary.steps = summary.element_steps = curve.steps;
+    summary.nanoseconds_per_element_step = curve.seconds * 1e9 / static_cast<double>(curve.steps);
+    io::write_summary(folder / "summary.json", summary, comm);
+}
+
+}  // namespace
+
+study::Job job_of(scene::Compute compute, const scene::Case& variant) {
+    if (compute == scene::Compute::yarn) return {static_cast<double>(variant.yarn.steps), 1};
+    if (compute == scene::Compute::cell) return {static_cast<double>(variant.cell.refinement), 1};
+    return {element_steps(variant.scene), columns_of(variant.scene)};
+}
+
+void compute_variant(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& folder,
+                     const parallel::Communicator& comm) {
+    if (compute != scene::Compute::impact) return write_curve(compute, variant, folder, comm);
+    try {
+        Impact(variant.scene, folder, comm, io::Terminal::silent).to_the_end();
+    } catch (const GuardStop&) {
+        return;  // summary.json says so
+    }
+}
+
+bool is_computed(const scene::Case& variant, const std::filesystem::path& folder) {
+    std::ifstream file(folder / "summary.json");
+    const auto summary = nlohmann::json::parse(file, nullptr, false);
+    if (!file || summary.is_discarded()) return false;
+    return summary.value("scene_hash", "") == variant.hash && summary["versions"].value("weavefront", "") == WEAVEFRONT_VERSION;
+}
+
+}  // namespace weavefront::app

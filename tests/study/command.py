@@ -1,0 +1,140 @@
+"""What 'weavefront study' does with whole studies: command.py WEAVEFRONT MPIEXEC"""
+
+import csv
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+WEAVEFRONT, MPIEXEC = sys.argv.pop(1), sys.argv.pop(1)
+
+SCENE = """
+fabrics:
+  a:
+    areal_density: 204 g/m^2
+    density: 1440 kg/m^3
+    yarn: {span: 0.9 mm, area: 0.06 mm^2, width: 0.3 mm}
+    thickness: 0.2 mm
+    elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa, viscosity: 35 MPa s}
+    transverse_shear: 2.5 GPa
+target:
+  size: [40 mm, 40 mm]
+  plies: {count: 1, fabric: a}
+  mesh: {center: 2 mm, edge: 4 mm}
+  symmetry: [x, y]
+projectile: {shape: sphere, diameter: 6 mm, mass: 0.9 g, velocity: [0, 0, 100 m/s]}
+contact: {projectile: {}}
+time: {end: 10 us}
+output: {interval: 10 us, history: 1 us}
+"""
+STUDY = """
+scene: scene.yaml
+variants:
+  - {target.mesh.center: [4 mm, 2.5 mm, 2 mm]}
+  - {projectile.velocity.2: [100 m/s, 50 m/s]}
+order: target.mesh.center
+reference: {variant: {target.mesh.center: 1.5 mm}}
+quantities: [residual_velocity, {history: projectile_vz, norm: l2}, {field: displacement, time: 10 us}]
+tolerance: {residual_velocity: 1 %}
+"""
+
+
+class Study(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(self.scratch.cleanup)
+        self.folder = Path(self.scratch.name)
+        (self.folder / "scene.yaml").write_text(SCENE)
+
+    def run_study(self, text=STUDY, output="out", ranks=1, status=0, arguments=(), picture=False):
+        """Runs the study; returns what it printed and wrote to standard error."""
+        (self.folder / "study.yaml").write_text(text)
+        command = [MPIEXEC, "-n", str(ranks)] if ranks > 1 else []
+        command += [WEAVEFRONT, "study", self.folder / "study.yaml", "--output", self.folder / output, *arguments]
+        command += [] if picture else ["--no-picture"]
+        done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def rows(self, output="out"):
+        with open(self.folder / output / "study.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_writes_a_row_for_each_variant_and_reference(self):
+        self.run_study(picture=True)
+        rows = self.rows()
+        self.assertEqual([row["target.mesh.center"] for row in rows], ["4 mm", "4 mm", "2.5 mm", "2.5 mm", "2 mm", "2 mm", "1.5 mm", "1.5 mm"])
+        self.assertTrue(all(row["outcome"] == "finished" and int(row["element_steps"]) > 0 and float(row["wall_seconds"]) > 0 for row in rows))
+        self.assertTrue(all(float(row["displacement_field_error"]) > 0 for row in rows[:6]))
+        self.assertEqual({row["residual_velocity_error"] for row in rows[6:]}, {"0"})
+        study = json.loads((self.folder / "out/study.json").read_text())
+        self.assertEqual(len(study["quantities"][0]["series"]), 2)
+        self.assertTrue(any(study["quantities"][0]["pareto"]["element_steps"]))
+        self.assertTrue((self.folder / "out/study.png").read_bytes().startswith(b"\x89PNG"))
+        for row in rows:
+            self.assertTrue((self.folder / "out" / row["variant"] / "results.vtkhdf").exists(), row["variant"])
+
+    def test_is_the_same_on_any_number_of_ranks(self):
+        tables = []
+        for ranks in (1, 2, 3):
+            self.run_study(output=f"on{ranks}", ranks=ranks)
+            tables.append([{k: v for k, v in row.items() if k not in ("wall_seconds", "ranks")} for row in self.rows(f"on{ranks}")])
+        self.assertEqual(tables[0], tables[1])
+        self.assertEqual(tables[0], tables[2])
+
+    def test_goes_on_where_it_was_interrupted(self):
+        self.run_study()
+        before = self.rows()
+        kept, torn, gone = (self.folder / "out" / before[i]["variant"] for i in range(3))
+        kept_at = (kept / "summary.json").stat().st_mtime_ns
+        (torn / "summary.json").unlink()  # as after a kill in its middle
+        for file in gone.iterdir():
+            file.unlink()
+        gone.rmdir()
+        text = self.run_study()
+        self.assertIn("8, of them 6 computed before", text)
+        self.assertEqual((kept / "summary.json").stat().st_mtime_ns, kept_at)
+        self.assertTrue((torn / "summary.json").exists() and (gone / "summary.json").exists())
+        strip = [{k: v for k, v in row.items() if k != "wall_seconds"} for row in before]
+        self.assertEqual([{k: v for k, v in row.items() if k != "wall_seconds"} for row in self.rows()], strip)
+
+    def test_repeats_variants_whose_scene_has_changed(self):
+        self.run_study()
+        self.assertIn("8, of them 0 computed before", self.run_study(STUDY + "set: {damping: 1 1/s}\n"))
+
+    def test_a_variant_stopped_by_the_guard_is_an_outcome(self):
+        text = STUDY.replace("projectile.velocity.2: [100 m/s, 50 m/s]", "limits.energy_error: [1e-12, 5 %]")
+        self.run_study(text, ranks=2)
+        outcomes = {(row["limits.energy_error"], row["outcome"]) for row in self.rows()}
+        self.assertEqual(outcomes, {("1e-12", "stopped"), ("5 %", "finished")})
+        study = json.loads((self.folder / "out/study.json").read_text())
+        self.assertTrue(any("energy balance" in row["reason"] for row in study["variants"]))
+
+    def test_a_fault_of_one_variant_stops_it_before_anything_is_computed(self):
+        text = self.run_study(STUDY.replace("2.5 mm", "25 mm"), status=2)
+        self.assertIn("study.yaml:4:33: target.mesh.center: found '25 mm'", text)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_measured_values_are_a_reference(self):
+        (self.folder / "measured.csv").write_text("time,projectile_vz,residual_velocity\n0,100,90\n10e-6,100,\n")
+        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
+        self.run_study(text)
+        self.assertIn("absent.csv: cannot be read", self.run_study(text.replace("measured.csv", "absent.csv"), "none", status=3))
+        self.assertFalse((self.folder / "none").exists())
+        for row in self.rows():
+            self.assertAlmostEqual(float(row["residual_velocity_error"]), abs(float(row["residual_velocity"]) - 90) / 90, places=8)
+            self.assertGreater(float(row["projectile_vz_l2_error"]), 0)
+
+    def test_check_finds_what_is_off_by_more_than_its_tolerance(self):
+        self.run_study()
+        table = self.folder / "before.csv"
+        table.write_bytes((self.folder / "out/study.csv").read_bytes())
+        self.run_study(arguments=("--check", table))
+        value = self.rows()[0]["residual_velocity"]
+        table.write_text(table.read_text().replace(value, str(float(value) * 1.02)))
+        self.assertIn(f"residual_velocity is {value}, was", self.run_study(arguments=("--check", table), status=1))
+
+
+unittest.main()

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include "weavefront/scene/read.hpp"
+#include "weavefront/scene/study.hpp"
+
+namespace weavefront::scene {
+namespace {
+
+const std::string scene_text = R"(fabrics:
+  a:
+    areal_density: 204 g/m^2
+    density: 1440 kg/m^3
+    yarn: {span: 0.9 mm, area: 0.06 mm^2, width: 0.3 mm}
+    thickness: 0.8 mm
+    elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa}
+target:
+  size: [100 mm, 100 mm]
+  plies: {count: 1, fabric: a}
+  mesh: {center: 1 mm, edge: 3 mm}
+time: {end: 60 us}
+output: {interval: 5 us, history: 1 us}
+)";
+
+const std::string study_text = R"(title: a study
+scene: base.yaml
+set: {time.end: 20 us}
+variants:
+  - {target.mesh.center: [2 mm, 500 um]}
+  - speed:
+      slow: {time.end: 40 us, damping: 3 1/s}
+      fast: {fabrics.a.elastic.viscosity: }
+order: target.mesh.center
+reference: {variant: {target.mesh.center: 0.5 mm}}
+quantities: [outcome, {history: column, norm: max}]
+tolerance: {column_max: 2 %}
+)";
+
+Vocabulary vocabulary(Compute) { return {{"outcome"}, {"column"}, {"field"}, {"form"}}; }
+
+Study parse(const std::string& text) { return parse_study(text, "folder/s.yaml", vocabulary); }
+
+std::vector<std::string> findings(const std::string& text) {
+    try {
+        const Study study = parse(text);
+        parse_cases(study, scene_text, variants_of(study));
+    } catch (const InputError& error) {
+        return error.messages();
+    }
+    return {};
+}
+
+/// Each finding begins as expected, in this order.
+void expect_findings(const std::string& text, const std::vector<std::string>& beginnings) {
+    const std::vector<std::string> found = findings(text);
+    ASSERT_EQ(found.size(), beginnings.size()) << testing::PrintToString(found);
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].substr(0, beginnings[i].size()), beginnings[i]);
+}
+
+std::string study_with(const std::string& from, const std::string& to) {
+    std::string text = study_text;
+    return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(StudyFile, PathsInItAreRelativeToIt) { EXPECT_EQ(parse(study_text).scene, "folder/base.yaml"); }
+
+TEST(StudyFile, VariantsAreTheProductOfTheAxesInOrder) {
+    const std::vector<Variant> variants = variants_of(parse(study_text));
+    std::vector<std::string> names;
+    for (const Variant& variant : variants) names.push_back(variant.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"center=2mm,speed=slow", "center=2mm,speed=fast", "center=500um,speed=slow",
+                                               "center=500um,speed=fast"}));
+    EXPECT_DOUBLE_EQ(*variants[2].values[0], 0.5e-3);
+    EXPECT_FALSE(variants[2].values[1]);
+}
+
+TEST(StudyFile, EachVariantHasItsOwnScene) {
+    const Study study = parse(study_text);
+    const std::vector<Case> cases = parse_cases(study, scene_text, variants_of(study));
+    EXPECT_DOUBLE_EQ(cases[0].scene.target->mesh.center, 2e-3);
+    EXPECT_DOUBLE_EQ(cases[0].scene.time.end, 40e-6);  // an axis has the last word
+    EXPECT_DOUBLE_EQ(cases[1].scene.time.end, 20e-6);
+    EXPECT_DOUBLE_EQ(cases[0].scene.damping, 3);
+    EXPECT_NE(cases[0].hash, cases[2].hash);
+}
+
+TEST(StudyFile, TheReferenceChangesWhatItNamesAndKeepsTheRest) {
+    const Study study = parse(study_text);
+    const std::vector<Variant> variants = variants_of(study);
+    const Case fine = parse_case(study, scene_text, reference_of(study, variants[0]));
+    EXPECT_DOUBLE_EQ(fine.scene.target->mesh.center, 0.5e-3);
+    EXPECT_DOUBLE_EQ(fine.scene.damping, 3);
+    // 500 um and 0.5 mm are one scene.
+    EXPECT_EQ(fine.hash, parse_case(study, scene_text, variants[2]).hash);
+}
+
+TEST(StudyFile, TolerancesBelongToQuantities) {
+    const Study study = parse(study_text);
+    EXPECT_FALSE(study.quantities[0].tolerance);
+    EXPECT_DOUBLE_EQ(*study.quantities[1].tolerance, 0.02);
+}
+
+TEST(StudyFile, AllFaultsAreReportedAtOnceWithTheirPlaces) {
+    std::string text = study_text;
+    for (const auto& [from, to] :
+         std::vector<std::pair<std::string, std::string>>{{"title", "titel"},
+                                                          {"order: target.mesh.center", "order: target.mesh.centre"},
+                                                          {"outcome,", "outcom,"},
+                                                          {"norm: max", "norm: min"},
+                                                          {"column_max: 2 %", "column_min: 2 kg"}})
+        text.replace(text.find(from), from.size(), to);
+    expect_findings(
+        text, {"folder/s.yaml:1:1: titel: found an unknown key",
+               "folder/s.yaml:9:8: order: found 'target.mesh.centre', allowed target.mesh.center",
+               "folder/s.yaml:11:14: quantities.0: found 'outcom', allowed outcome, did you mean 'outcome'?",
+               "folder/s.yaml:11:46: quantities.1.norm: found 'min', allowed l1, l2, max",
+               "folder/s.yaml:12:13: tolerance: found 'column_min'", "folder/s.yaml:12:25: tolerance.column_min: found '2 kg', a mass"});
+}
+
+TEST(StudyFile, FaultsOfVariantsAreReportedBeforeAnythingIsComputedAtTheirPlacesInTheStudy) {
+    std::string text = study_with("500 um", "500 kg");
+    text.replace(text.find("damping"), 7, "dampnig");
+    expect_findings(text, {"folder/s.yaml:7:40: dampnig: found an unknown key",
+                           "folder/s.yaml:5:33: target.mesh.center: found '500 kg', a mass, allowed a length"});
+}
+
+TEST(StudyFile, ReferencesAreOfOneKind) {
+    expect_findings(study_with("reference: {variant: {target.mesh.center: 0.5 mm}}", "reference: {closed_form: form, file: x.csv}"),
+                    {"folder/s.yaml:10:1: reference: found a map of keys, allowed one of the keys variant, closed_form, file"});
+}
+
+}  // namespace
+}  // namespace weavefront::scene

@@ -7,7 +7,6 @@ Collects one row a variant in limit.csv; variants that stand there are skipped. 
 
 import argparse
 import csv
-import json
 import subprocess
 import sys
 import tempfile
@@ -15,10 +14,9 @@ from pathlib import Path
 
 from sensitivity import BUILD, HERE, K, history, known
 
-BRACKET = (200, 800)  # m/s; the lower one is stopped, the upper one perforates in all variants
+BRACKET = (200, 800)  # m/s; the lower one is stopped in all variants, the upper one in none
 WIDTH = 10  # m/s, of the last bracket
 
-FRAME = {"target.edges.y": "frame", "target.frame": "{opening: {y: 190.5 mm}}", "time.end": "240 us"}
 NEAR_CLAMPS = {"target.size": "[101.6 mm, 127 mm]", "target.edges.y": "frame", "target.frame": "{opening: {y: 101.6 mm}}",
                "time.end": "240 us"}
 MESH = "target.mesh.center"
@@ -29,7 +27,6 @@ VARIANTS = {
     "h = s/4": {MESH: "0.22725 mm"},
     "t = 0.6 mm": {K + "thickness": "0.6 mm"},
     "t = 0.4 mm": {K + "thickness": "0.4 mm"},
-    "y edges on a frame": FRAME,
     "clamps 101.6 mm apart, y edges on a frame": NEAR_CLAMPS,
     "edge radius 0.1 mm": {"projectile.edge_radius": "0.1 mm"},
     "edge radius 1 mm": {"projectile.edge_radius": "1 mm"},
@@ -44,17 +41,15 @@ FIELDS = ["variant", "stopped", "perforated", "absorbed", "runs", "overrides"]
 
 
 def shot(options, overrides, speed):
-    """Computes one impact. Returns whether it perforates, and the energy that the projectile has lost, J."""
+    """Computes one impact. Returns whether the projectile still moves on at the end, and the energy that it has lost, J."""
     with tempfile.TemporaryDirectory() as folder:
         command = [options.weavefront, "run", HERE / "impact_550.yaml", "--output", folder]
         command += [f"--set={path}={value}" for path, value in (SHIPPED | overrides).items()]
         done = subprocess.run([*command, f"--set=projectile.velocity=[0, 0, {speed:g} m/s]"], capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"{speed:g} m/s: {done.stderr}")
-        columns, summary = history(Path(folder)), json.loads((Path(folder) / "summary.json").read_text())
+        columns = history(Path(folder))
     energy, velocity = columns["kinetic_projectile"], columns["projectile_vz"][-1]
-    if velocity > 0 and None in summary["first_break"]:
-        sys.exit(f"{speed:g} m/s: neither stopped nor perforated at the end, {velocity:g} m/s; {overrides}")
     return velocity > 0, energy[0] - energy[-1]
 
 

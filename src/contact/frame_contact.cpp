@@ -6,7 +6,7 @@ namespace weavefront::contact {
 
 FrameContact::FrameContact(const scene::Frame& frame, const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
                            std::span<const Vec3> x)
-    : quadrature_(spacing), points_(static_cast<std::size_t>(surface.owned)) {
+    : quadrature_(spacing), points_(static_cast<std::size_t>(surface.owned)), reserves_(points_.size()) {
     const auto& last = surface.plies.back();
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(frame, last.z + last.thickness / 2, ply.thickness / 2);
@@ -27,7 +27,7 @@ void FrameContact::evaluate(const Surface& surface, std::span<const Vec3> x, std
         }
         const RigidPair pair{facet, surface.areas[f], quadrature_.rule(rules_[f]), laws_[static_cast<std::size_t>(facet.ply)],
                              Master::frame};
-        const auto force = press(pair, x, v, dt, points_[f], [&](const Vec3& at, const Point&) { return shape.depth(at); });
+        const auto force = press(pair, x, v, dt, points_[f], reserves_[f], [&](const Vec3& at, const Point&) { return shape.depth(at); });
         if (force.total != Vec3::Zero()) forces.push_back(force);
     }
 }

@@ -70,7 +70,10 @@ Lanes closing_rates(const VectorLanes& slave, const VectorLanes& master, const V
 }  // namespace
 
 PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
-    : plies_(surface.plies), quadrature_(spacing, most_points), points_(static_cast<std::size_t>(surface.owned)) {
+    : plies_(surface.plies),
+      quadrature_(spacing, most_points),
+      points_(static_cast<std::size_t>(surface.owned)),
+      reserves_(points_.size()) {
     for (const auto& ply : plies_) {
         most_touching_ = std::max(most_touching_, ply.thickness);
         depth_ = std::max(depth_, deepest_in_thicknesses * ply.thickness);
@@ -169,7 +172,8 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& points, const Rays& 
         const double overlap = reach - hits.distance[i];
         // A point that is already beyond the other mid-surface when first seen went through a hole: it is not pushed back.
         if (point.present == 0 && overlap > reach) continue;
-        const double pressure = penalty.advance(point, overlap, closing[i], dt);
+        const double pressure =
+            penalty.advance(point, overlap, closing[i], dt, points.share[i], reserves_[static_cast<std::size_t>(slave.facet)]);
         slave.touching = slave.touching || point.present > 0;
         if (!(pressure > 0)) continue;
         auto& pair = pair_of_[near];

@@ -6,7 +6,7 @@ namespace weavefront::contact {
 
 ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
                                      const Surface& surface, std::span<const Vec3> x)
-    : quadrature_(spacing), points_(static_cast<std::size_t>(surface.owned)) {
+    : quadrature_(spacing), points_(static_cast<std::size_t>(surface.owned)), reserves_(points_.size()) {
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(projectile, ply.thickness / 2);
         laws_.emplace_back(law, ply.areal_density);  // the projectile is far heavier than the fabric under one point
@@ -55,7 +55,7 @@ void ProjectileContact::evaluate(const Surface& surface, std::span<const Vec3> x
                              laws_[static_cast<std::size_t>(facet.ply)],
                              Master::projectile,
                              projectile.velocity};
-        const auto force = press(pair, x, v, dt, points_[index],
+        const auto force = press(pair, x, v, dt, points_[index], reserves_[index],
                                  [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); });
         if (force.total != Vec3::Zero()) forces.push_back(force);
     }

@@ -35,6 +35,7 @@ class FrameContact {
     Quadrature quadrature_;
     std::vector<std::int32_t> rules_;         ///< of the owned facets
     std::vector<std::vector<Point>> points_;  ///< of the owned facets; empty away from the frame
+    std::vector<double> reserves_;            ///< of the owned facets, J/m2: see PenaltyLaw
 };
 
 }  // namespace weavefront::contact

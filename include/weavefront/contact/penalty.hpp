@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "weavefront/scene/scene.hpp"
 
@@ -18,34 +19,74 @@ struct Penetration {
 /// Pressure over penetration: loading along k g; unloading from the largest penetration, and reloading, along the slope u k; never tensile.
 /// Woven fabric under transverse compression returns little of the work done on it; u = 1 is the elastic contact of the paper's time.
 /// The stiffness is per area and belongs to the fabric: mesh and time step do not enter.
+///
+/// The penetration follows the geometry but grows only by relative motion: where the geometry jumps (a facet changes, an overlap is found
+/// late, an element disappears) nothing is pushed out at once. What is left late is healed: the penetration creeps up to the geometry, and
+/// the energy that it can then give back is taken from what contact has dissipated in the same facet. So contact never gives energy.
 class PenaltyLaw {
   public:
     /// @param law     stiffness k (Pa/m), unloading ratio u >= 1, fraction of critical damping
     /// @param density mass per area that the contact moves: m1 m2/(m1 + m2) of the two sides, kg/m2
     PenaltyLaw(const scene::ContactLaw& law, double density)
-        : stiffness_(law.stiffness), unloading_(law.unloading), damping_(2 * law.damping * std::sqrt(law.stiffness * density)) {}
+        : stiffness_(law.stiffness),
+          unloading_(law.unloading),
+          damping_(2 * law.damping * std::sqrt(law.stiffness * density)),
+          healing_rate_(std::sqrt(law.unloading * law.stiffness / density) / (2 * std::numbers::pi * healing_periods)) {}
 
     /// Advances a point and returns its pressure, Pa.
-    ///
-    /// The penetration follows the geometry but grows only by relative motion: where the geometry jumps (a facet changes, an
-    /// overlap is found late, an element disappears) nothing is pushed out at once, and no energy comes from nowhere.
     /// @param geometric penetration seen now, m; negative when apart
     /// @param closing   rate at which the two sides approached over the last step, m/s
     /// @param dt        the last step, s
-    [[nodiscard]] double advance(Penetration& point, double geometric, double closing, double dt) const {
-        point.present = std::min(geometric, point.present + closing * dt);
+    /// @param share     of the facet's area that the point stands for
+    /// @param reserve   what contact has dissipated in the facet and not yet spent on healing, J/m2
+    [[nodiscard]] double advance(Penetration& point, double geometric, double closing, double dt, double share, double& reserve) const {
+        const auto before = point;
+        point.present = std::max(std::min(geometric, point.present + closing * dt), 0.0);
+        point.largest = std::max(point.largest, point.present);
+        // The work of a step is that of the mean of the pressures at its ends.
+        const double work = (elastic_pressure(before) + elastic_pressure(point)) / 2 * closing * dt;
+        reserve += share * (work - (recoverable(point) - recoverable(before)));
+        if (geometric > point.present) heal(point, geometric, closing, dt, share, reserve);
         if (!(point.present > 0)) {
             point = {};
             return 0;
         }
-        point.largest = std::max(point.largest, point.present);
-        const double residual = point.largest * (1 - 1 / unloading_);
-        const double elastic = std::min(stiffness_ * point.present, unloading_ * stiffness_ * (point.present - residual));
-        return elastic > 0 ? std::max(elastic + damping_ * closing, 0.0) : 0.0;
+        const double elastic = elastic_pressure(point);
+        if (!(elastic > 0)) return 0;
+        const double pressure = std::max(elastic + damping_ * closing, 0.0);
+        reserve += share * (pressure - elastic) * closing * dt;
+        return pressure;
     }
 
   private:
+    // An overlap heals within this many periods of two plies on the unloading line of the contact: so slowly that they are moved apart by
+    // pressures far below those that made it, and within some 20 us for stiffnesses of fabric, a fraction of an impact.
+    static constexpr double healing_periods = 100;
+
+    [[nodiscard]] double elastic_pressure(const Penetration& point) const {
+        const double residual = point.largest * (1 - 1 / unloading_);
+        return std::max(std::min(stiffness_ * point.present, unloading_ * stiffness_ * (point.present - residual)), 0.0);
+    }
+
+    /// What a point gives back when it opens, J/m2.
+    [[nodiscard]] double recoverable(const Penetration& point) const {
+        const double pressure = elastic_pressure(point);
+        return pressure * pressure / (2 * unloading_ * stiffness_);
+    }
+
+    void heal(Penetration& point, double geometric, double closing, double dt, double share, double& reserve) const {
+        Penetration healed = point;
+        healed.present += std::min(healing_rate_ * dt, 1.0) * (geometric - point.present);
+        healed.largest = std::max(healed.largest, healed.present);
+        const double opened = std::max(-closing * dt, 0.0), added = elastic_pressure(healed) - elastic_pressure(point);
+        const double cost = share * (recoverable(healed) - recoverable(point) + added * opened / 2);
+        if (cost > reserve) return;
+        reserve -= cost;
+        point = healed;
+    }
+
     double stiffness_, unloading_, damping_;
+    double healing_rate_;  ///< 1/s
 };
 
 }  // namespace weavefront::contact

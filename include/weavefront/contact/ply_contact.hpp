@@ -77,6 +77,7 @@ class PlyContact {
     std::vector<Near> near_;                  ///< nearest ply first, in it the nearest centre first
     std::vector<std::int32_t> pair_of_;       ///< of each of `near_`: its place among the forces, or -1
     std::vector<std::vector<Batch>> points_;  ///< of the owned facets; empty where they do not touch
+    std::vector<double> reserves_;            ///< of the owned facets, J/m2: see PenaltyLaw
 };
 
 }  // namespace weavefront::contact

@@ -46,6 +46,7 @@ class ProjectileContact {
     std::vector<std::int32_t> rules_;         ///< of the owned facets
     std::vector<std::int32_t> candidates_;    ///< owned facets
     std::vector<std::vector<Point>> points_;  ///< of the owned facets; empty away from the projectile
+    std::vector<double> reserves_;            ///< of the owned facets, J/m2: see PenaltyLaw
 };
 
 }  // namespace weavefront::contact

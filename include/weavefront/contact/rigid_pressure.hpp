@@ -24,13 +24,14 @@ struct RigidPair {
 };
 
 /// Integrates the pressure over the points of a facet.
-/// @param x, v   positions and velocities of the nodes, m, m/s
-/// @param dt     the last step, s
-/// @param points memory of the points, a `Point` with a member `penetration`
-/// @param depth  function of a position and of the memory of the point: its depth in the body, or nothing
+/// @param x, v    positions and velocities of the nodes, m, m/s
+/// @param dt      the last step, s
+/// @param points  memory of the points, a `Point` with a member `penetration`
+/// @param reserve of the facet: see PenaltyLaw::advance, J/m2
+/// @param depth   function of a position and of the memory of the point: its depth in the body, or nothing
 template <class Point, class DepthOf>
 PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::vector<Point>& points,
-                DepthOf depth) {
+                double& reserve, DepthOf depth) {
     if (points.empty()) points.resize(pair.rule.size() * batch_width);
     const auto corners = corners_of(pair.facet.nodes, x), velocities = corners_of(pair.facet.nodes, v);
     PairForce sum(pair.facet.nodes, pair.body);
@@ -45,7 +46,7 @@ PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const 
                 continue;
             }
             const double closing = (pair.body_velocity - Vec3(velocity.x[i], velocity.y[i], velocity.z[i])).dot(found->normal);
-            const double pressure = pair.law.advance(point.penetration, found->depth, closing, dt);
+            const double pressure = pair.law.advance(point.penetration, found->depth, closing, dt, batch.share[i], reserve);
             sum.add(pressure * pair.area * batch.share[i] * found->normal, batch.N, i);
         }
     }

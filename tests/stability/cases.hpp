@@ -9,9 +9,6 @@
 
 namespace weavefront::stability {
 
-/// The scene that the cases change: three plies of the paper's fabric with every part of the model, a quarter of a small panel.
-extern const std::string base_scene;
-
 /// All cases in the order of the table.
 std::vector<Case> all_cases();
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base_scene.hpp"
 #include "cases.hpp"
 #include "table.hpp"
 

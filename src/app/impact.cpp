@@ -16,6 +16,7 @@
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/guard.hpp"
+#include "weavefront/solver/load_watch.hpp"
 #include "weavefront/solver/simulation.hpp"
 
 namespace weavefront::app {
@@ -42,8 +43,10 @@ class Schedule {
 
 class Impact::Parts {
   public:
-    Parts(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm, io::Terminal terminal)
+    Parts(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm, io::Terminal terminal,
+          std::optional<double> rebalance)
         : scene_(scene),
+          comm_(comm),
           directory_(directory),
           log_(directory, comm, terminal),
           report_(scene, comm, log_),
@@ -51,7 +54,9 @@ class Impact::Parts {
           history_(directory / "history.csv", comm),
           results_(setup(), comm),
           rows_(scene.output.history),
-          frames_(scene.output.interval) {}
+          frames_(scene.output.interval) {
+        if (rebalance) load_.emplace(*rebalance);
+    }
 
     void to_the_end() {
         report_.start(simulation_);
@@ -79,8 +84,17 @@ class Impact::Parts {
             if (frames_.due(simulation_.time()) || end) write_frame();
             if (end) return;
             simulation_.integrate();
+            if (load_) rebalance();
             progress.update(simulation_.time(), simulation_.steps(), report_.projectile_text(simulation_));
         }
+    }
+
+    void rebalance() {
+        const auto better = load_->look(simulation_, comm_);
+        if (!better) return;
+        simulation_.redistribute(better->decomposition);
+        results_.redistribute(topology_of(simulation_));
+        report_.rebalanced(simulation_, *better);
     }
 
     void write_row() {
@@ -114,6 +128,7 @@ class Impact::Parts {
     }
 
     const scene::Scene& scene_;
+    const parallel::Communicator& comm_;
     std::filesystem::path directory_;
     io::Log log_;
     RunReport report_;
@@ -121,11 +136,13 @@ class Impact::Parts {
     io::History history_;
     io::Results results_;
     Schedule rows_, frames_;
+    std::optional<solver::LoadWatch> load_;
     solver::Balance last_;
 };
 
-Impact::Impact(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm, io::Terminal terminal)
-    : parts_(std::make_unique<Parts>(scene, directory, comm, terminal)) {}
+Impact::Impact(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm, io::Terminal terminal,
+               std::optional<double> rebalance)
+    : parts_(std::make_unique<Parts>(scene, directory, comm, terminal, rebalance)) {}
 
 Impact::~Impact() = default;
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "weavefront/io/log.hpp"
 #include "weavefront/parallel/communicator.hpp"
@@ -18,9 +19,10 @@ class Impact {
     /// @param directory for history.csv, results.vtkhdf, summary.json and run.log; exists
     /// @param comm      ranks that compute it; must outlive this object
     /// @param terminal  whether the log is shown
+    /// @param rebalance imbalance of the ranks above which columns move between them; none: they stay
     /// @note Collective
     Impact(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm,
-           io::Terminal terminal = io::Terminal::shown);
+           io::Terminal terminal = io::Terminal::shown, std::optional<double> rebalance = {});
     ~Impact();
     Impact(const Impact&) = delete;
     Impact& operator=(const Impact&) = delete;

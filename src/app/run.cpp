@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "impact.hpp"
@@ -14,6 +15,7 @@ namespace {
 struct Options {
     std::filesystem::path scene, output;
     std::vector<std::string> overrides;
+    std::optional<double> rebalance;
 };
 
 /// Rank 0 reads the file; all ranks parse the same text and so find the same faults.
@@ -28,7 +30,7 @@ void run(const Options& options) {
     require_columns(scene, comm.size());
     const auto directory = options.output.empty() ? std::filesystem::path("runs") / options.scene.stem() : options.output;
     io::prepare_output_directory(directory, comm);
-    Impact(scene, directory, comm).to_the_end();
+    Impact(scene, directory, comm, io::Terminal::shown, options.rebalance).to_the_end();
 }
 
 }  // namespace
@@ -41,6 +43,10 @@ void add_run(CLI::App& app) {
                         "Folder for history.csv, results.vtkhdf, summary.json and run.log (default: runs/<scene name>)");
     command->add_option("--set", options->overrides, "Override a value of the scene, PATH=VALUE; may be given several times")
         ->allow_extra_args(false);
+    command
+        ->add_option("--rebalance", options->rebalance,
+                     "Move columns between the ranks whenever the slowest stays above the mean by more than this share; 0.1 is 10 %")
+        ->check(CLI::NonNegativeNumber);
     command->callback([options] { run(*options); });
 }
 

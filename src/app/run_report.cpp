@@ -103,6 +103,11 @@ std::string RunReport::projectile_text(const solver::Simulation& simulation) {
     return projectile ? fmt::format("projectile {:.1f} m/s", projectile->velocity.z()) : "";
 }
 
+void RunReport::rebalanced(const solver::Simulation& simulation, const solver::Rebalancing& rebalancing) {
+    log_.info(fmt::format("  rebalanced    at t = {:.6g} us: the slowest rank took {:.0f} % more than the mean, {:.0f} % are predicted now",
+                          simulation.time() * 1e6, (rebalancing.measured - 1) * 100, (rebalancing.predicted - 1) * 100));
+}
+
 void RunReport::finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,
                        const std::filesystem::path& directory) {
     io::Summary summary;

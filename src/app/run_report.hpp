@@ -10,6 +10,7 @@
 #include "weavefront/io/log.hpp"
 #include "weavefront/io/rows.hpp"
 #include "weavefront/scene/scene.hpp"
+#include "weavefront/solver/load_watch.hpp"
 #include "weavefront/solver/simulation.hpp"
 
 namespace weavefront::app {
@@ -26,6 +27,9 @@ class RunReport {
 
     /// What to say of the projectile while the run goes on.
     [[nodiscard]] static std::string projectile_text(const solver::Simulation& simulation);
+
+    /// Columns have moved between ranks.
+    void rebalanced(const solver::Simulation& simulation, const solver::Rebalancing& rebalancing);
 
     /// The closing lines and summary.json. @note Collective
     void finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,

@@ -220,4 +220,24 @@ void PlyContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::
     }
 }
 
+void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {
+    const auto f = static_cast<std::size_t>(facet);
+    record.insert(record.end(), {reserves_[f], static_cast<double>(points_[f].size())});
+    for (const auto& batch : points_[f])
+        for (const auto& point : batch.point) record.insert(record.end(), {point.present, point.largest});
+}
+
+std::span<const double> PlyContact::restore(std::int32_t facet, std::span<const double> record) {
+    const auto f = static_cast<std::size_t>(facet);
+    auto next = record.begin();
+    reserves_[f] = *next++;
+    points_[f].resize(static_cast<std::size_t>(*next++));
+    for (auto& batch : points_[f])
+        for (auto& point : batch.point) {
+            point.present = *next++;
+            point.largest = *next++;
+        }
+    return {next, record.end()};
+}
+
 }  // namespace weavefront::contact

@@ -72,6 +72,11 @@ class Results::File {
         ++frames_;
     }
 
+    void redistribute(const Topology& topology) {
+        nodes_ = BlockExchange(comm_, topology.nodes, topology.owned_nodes);
+        elements_ = BlockExchange(comm_, topology.elements, topology.owned_elements);
+    }
+
     [[nodiscard]] std::int64_t frames() const { return frames_; }
 
   private:
@@ -155,6 +160,8 @@ Results::Results(Results&&) noexcept = default;
 Results& Results::operator=(Results&&) noexcept = default;
 
 void Results::write(const Frame& frame) { file_->write(frame); }
+
+void Results::redistribute(const Topology& topology) { file_->redistribute(topology); }
 
 std::int64_t Results::frames() const { return file_->frames(); }
 

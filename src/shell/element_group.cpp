@@ -21,6 +21,7 @@ HourglassStiffness hourglass_stiffness(const scene::Fabric& fabric) {
 
 ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, int state_size)
     : packs_(static_cast<std::int32_t>((elements.size() + pack_width - 1) / pack_width)),
+      state_size_(state_size),
       hourglass_(hourglass_stiffness(fabric)),
       areal_density_(fabric.areal_density),
       nodes_(static_cast<std::size_t>(packs_)) {
@@ -45,6 +46,20 @@ void ElementGroup::clear_quad(std::int32_t index) {
     // The gradients stay, so that the idle lane computes finite numbers; without area and shape they have no effect.
     quads_[slot(index, 6, quad_size)] = 0;
     quads_[slot(index, 7, quad_size)] = 0;
+}
+
+void ElementGroup::save(std::int32_t index, std::vector<double>& record) const {
+    for (int field = 0; field < quad_size; ++field) record.push_back(quad(index, field));
+    for (int field = 0; field < state_size_; ++field) record.push_back(state_[slot(index, field, state_size_)]);
+    record.push_back(hourglass_energy(index));
+}
+
+std::span<const double> ElementGroup::restore(std::int32_t index, std::span<const double> record) {
+    std::size_t at = 0;
+    for (int field = 0; field < quad_size; ++field) quads_[slot(index, field, quad_size)] = record[at++];
+    for (int field = 0; field < state_size_; ++field) state_[slot(index, field, state_size_)] = record[at++];
+    hourglass_energy_[static_cast<std::size_t>(index)] = record[at++];
+    return record.subspan(at);
 }
 
 Events::Erosion ElementGroup::erode(std::int32_t index) {

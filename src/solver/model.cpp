@@ -15,14 +15,6 @@ std::array<Vec3, 4> corners_of(const mesh::Part& part, std::size_t element) {
     return corners;
 }
 
-partition::Decomposition decompose_on_root(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
-    partition::Decomposition decomposition{comm.size(), {}};
-    if (comm.size() > panel.columns()) return partition::decompose(panel, {}, comm.size());  // throws on every rank
-    if (comm.rank() == 0) decomposition = partition::decompose(panel, partition::column_costs(panel, scene), comm.size());
-    comm.broadcast(decomposition.owner);
-    return decomposition;
-}
-
 Nodes build_nodes(const mesh::Part& part, const std::vector<bool>& owned) {
     Nodes nodes;
     nodes.count = static_cast<std::int32_t>(part.node_ids.size());
@@ -109,6 +101,10 @@ double largest_force(const scene::Scene& scene) {
 
 }  // namespace
 
+bool Model::touches(std::int32_t element) const {
+    return (ply_contact && ply_contact->touches(element)) || (projectile_contact && projectile_contact->touches(element));
+}
+
 std::size_t Model::bytes() const {
     std::size_t sum = nodes.x.size() * (3 * sizeof(Vec3) + sizeof(FixedVector) + sizeof(double) + sizeof(std::int64_t) + 1);
     for (const auto& group : groups) sum += group->bytes();
@@ -116,8 +112,16 @@ std::size_t Model::bytes() const {
            places.size() * sizeof(ElementPlace);
 }
 
-Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
-    const auto decomposition = decompose_on_root(scene, panel, comm);
+partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
+    partition::Decomposition decomposition{comm.size(), {}};
+    if (comm.size() > panel.columns()) return partition::decompose(panel, {}, comm.size());  // throws on every rank
+    if (comm.rank() == 0) decomposition = partition::decompose(panel, partition::column_costs(panel, scene), comm.size());
+    comm.broadcast(decomposition.owner);
+    return decomposition;
+}
+
+Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const partition::Decomposition& decomposition,
+                  const parallel::Communicator& comm) {
     const auto part = mesh::make_part(panel, decomposition.columns_of(comm.rank()));
     Model model;
     model.halo = partition::make_halo_plan(panel, decomposition, part, comm.rank());

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "weavefront/solver/guard.hpp"
+#include "weavefront/solver/redistribution.hpp"
 
 namespace weavefront::solver {
 
@@ -56,7 +57,7 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
     : scene_(scene),
       comm_(comm),
       panel_(mesh::make_panel(scene)),
-      model_(build_model(scene, panel_, comm)),
+      model_(build_model(scene, panel_, initial_decomposition(scene, panel_, comm), comm)),
       multiplicity_(panel_.multiplicity()) {
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     contact_frequency_squared_ = contact_frequency_squared(scene);
@@ -65,8 +66,7 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
         initial_projectile_ = model_.projectile->position;
         initial_energy_ = scene.projectile->mass * model_.projectile->velocity.squaredNorm() / 2;
     }
-    for (std::size_t n = 0; n < model_.nodes.supports.size(); ++n)
-        if (model_.nodes.supports[n] != 0) held_.push_back(n);
+    list_supports();
     energy_ = parallel::FixedPoint(initial_energy_ > 0 ? initial_energy_ : 1);
     adapt_time_step();
     update_candidates();
@@ -89,6 +89,15 @@ void Simulation::integrate() {
     for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
     just_eroded_.clear();
     if (candidates_outdated_) update_candidates();
+}
+
+void Simulation::redistribute(const partition::Decomposition& decomposition) {
+    const Timed timed(seconds_, Phase::halo);
+    model_ = solver::redistribute(scene_, panel_, decomposition, model_, comm_);
+    for (const auto& group : model_.groups) group->set_time_step(dt_);
+    pairs_.clear();
+    list_supports();
+    update_candidates();
 }
 
 void Simulation::advance_elements() {
@@ -192,6 +201,12 @@ void Simulation::adapt_time_step() {
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
     dt_ = bound;
     for (const auto& group : model_.groups) group->set_time_step(dt_);
+}
+
+void Simulation::list_supports() {
+    held_.clear();
+    for (std::size_t n = 0; n < model_.nodes.supports.size(); ++n)
+        if (model_.nodes.supports[n] != 0) held_.push_back(n);
 }
 
 void Simulation::hold_supports() {

@@ -1,4 +1,4 @@
-"""A perforation computed by 1 to 4 ranks leaves the same files: rank_invariance.py WEAVEFRONT MPIEXEC H5DIFF SCENE"""
+"""A perforation computed by 1 to 4 ranks, also when columns change ranks on the way, leaves the same files: rank_invariance.py WEAVEFRONT MPIEXEC H5DIFF SCENE"""
 
 import subprocess
 import sys
@@ -28,6 +28,9 @@ def main():
         outputs = [Path(folder) / f"on {ranks} of them" for ranks in range(1, 5)]
         for ranks, output in enumerate(outputs, start=1):
             program.run(scene, output, ranks=ranks)
+        outputs.append(Path(folder) / "on 3 of them, rebalanced")
+        program.run(scene, outputs[-1], ranks=3, options=["--rebalance", "0"])
+        assert "rebalanced" in (outputs[-1] / "run.log").read_text()
         check_perforated(outputs[0])
         for output in outputs[1:]:
             assert runs.history_bytes(output) == runs.history_bytes(outputs[0]), f"{output}: history.csv differs"

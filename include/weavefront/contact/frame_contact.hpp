@@ -26,6 +26,11 @@ class FrameContact {
     /// @param dt the last step, s
     void evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::vector<PairForce>& forces);
 
+    /// Memory of the points of an owned facet, to be taken up on another rank.
+    void save(std::int32_t facet, std::vector<double>& record) const;
+    /// @param record of `save`, with anything after it. @return what comes after it
+    std::span<const double> restore(std::int32_t facet, std::span<const double> record);
+
   private:
     struct Point {
         Penetration penetration;

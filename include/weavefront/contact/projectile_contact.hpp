@@ -34,6 +34,13 @@ class ProjectileContact {
     void evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, const ProjectileState& projectile, double dt,
                   std::vector<PairForce>& forces);
 
+    /// Whether any point of an owned facet remembers a penetration, or may soon.
+    [[nodiscard]] bool touches(std::int32_t facet) const { return !points_[static_cast<std::size_t>(facet)].empty(); }
+    /// Memory of the points of an owned facet, to be taken up on another rank.
+    void save(std::int32_t facet, std::vector<double>& record) const;
+    /// @param record of `save`, with anything after it. @return what comes after it
+    std::span<const double> restore(std::int32_t facet, std::span<const double> record);
+
   private:
     struct Point {
         Penetration penetration;

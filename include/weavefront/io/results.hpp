@@ -45,6 +45,9 @@ class Results {
     /// @note Collective
     void write(const Frame& frame);
 
+    /// From now on frames come from ranks that own other nodes and elements. @note Collective
+    void redistribute(const Topology& topology);
+
     /// Frames written so far.
     [[nodiscard]] std::int64_t frames() const;
 

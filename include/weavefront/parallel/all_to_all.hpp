@@ -9,24 +9,40 @@
 
 namespace weavefront::parallel {
 
+/// The MPI type of items of some bytes: counts are of items, so that messages may pass 2 GiB.
+class ItemType {
+  public:
+    explicit ItemType(std::size_t bytes) {
+        check(MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &type_));
+        check(MPI_Type_commit(&type_));
+    }
+    ~ItemType() { MPI_Type_free(&type_); }
+    ItemType(const ItemType&) = delete;
+    ItemType& operator=(const ItemType&) = delete;
+
+    [[nodiscard]] MPI_Datatype get() const { return type_; }
+
+  private:
+    MPI_Datatype type_ = MPI_DATATYPE_NULL;
+};
+
 /// Sends outgoing[r] to rank r; returns what each rank sent here. T is trivially copyable. @note Collective
 template <class T>
 std::vector<std::vector<T>> all_to_all(const Communicator& comm, const std::vector<std::vector<T>>& outgoing) {
     const auto ranks = static_cast<std::size_t>(comm.size());
-    std::vector<int> send_bytes(ranks), receive_bytes(ranks), send_at(ranks), receive_at(ranks);
-    for (std::size_t r = 0; r < ranks; ++r) send_bytes[r] = static_cast<int>(outgoing[r].size() * sizeof(T));
-    check(MPI_Alltoall(send_bytes.data(), 1, MPI_INT, receive_bytes.data(), 1, MPI_INT, comm.get()));
-    std::exclusive_scan(send_bytes.begin(), send_bytes.end(), send_at.begin(), 0);
-    std::exclusive_scan(receive_bytes.begin(), receive_bytes.end(), receive_at.begin(), 0);
-    std::vector<T> send, receive(static_cast<std::size_t>(receive_at.back() + receive_bytes.back()) / sizeof(T));
+    const ItemType item(sizeof(T));
+    std::vector<int> sent(ranks), received(ranks), send_at(ranks), receive_at(ranks);
+    for (std::size_t r = 0; r < ranks; ++r) sent[r] = static_cast<int>(outgoing[r].size());
+    check(MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm.get()));
+    std::exclusive_scan(sent.begin(), sent.end(), send_at.begin(), 0);
+    std::exclusive_scan(received.begin(), received.end(), receive_at.begin(), 0);
+    std::vector<T> send, receive(static_cast<std::size_t>(receive_at.back() + received.back()));
     for (const auto& items : outgoing) send.insert(send.end(), items.begin(), items.end());
-    check(MPI_Alltoallv(send.data(), send_bytes.data(), send_at.data(), MPI_BYTE, receive.data(), receive_bytes.data(), receive_at.data(),
-                        MPI_BYTE, comm.get()));
+    check(MPI_Alltoallv(send.data(), sent.data(), send_at.data(), item.get(), receive.data(), received.data(), receive_at.data(),
+                        item.get(), comm.get()));
     std::vector<std::vector<T>> incoming(ranks);
-    for (std::size_t r = 0; r < ranks; ++r) {
-        const auto* first = receive.data() + static_cast<std::size_t>(receive_at[r]) / sizeof(T);
-        incoming[r].assign(first, first + static_cast<std::size_t>(receive_bytes[r]) / sizeof(T));
-    }
+    for (std::size_t r = 0; r < ranks; ++r)
+        incoming[r].assign(receive.begin() + receive_at[r], receive.begin() + receive_at[r] + received[r]);
     return incoming;
 }
 

@@ -96,6 +96,11 @@ class ElementGroup {
     /// @param x positions of the local nodes, m
     [[nodiscard]] virtual ElementOutput output(std::int32_t index, std::span<const Eigen::Vector3d> x) const = 0;
 
+    /// All that an element is and has been through, to be taken up by another group of the same fabric.
+    void save(std::int32_t index, std::vector<double>& record) const;
+    /// @param record of `save`, with anything after it. @return what comes after it
+    std::span<const double> restore(std::int32_t index, std::span<const double> record);
+
     /// Takes an element out (inverted, or broken); what it leaves behind.
     Events::Erosion erode(std::int32_t index);
 
@@ -111,6 +116,7 @@ class ElementGroup {
     void clear_quad(std::int32_t index);
 
     std::int32_t packs_ = 0;
+    int state_size_;
     HourglassStiffness hourglass_;
     double areal_density_ = 0;
     std::vector<std::int32_t> elements_;

@@ -49,12 +49,18 @@ struct Model {
     std::optional<contact::PlyContact> ply_contact;
     std::optional<contact::FrameContact> frame_contact;
 
+    /// Whether contact remembers anything of an owned element: it touches another ply or the projectile.
+    [[nodiscard]] bool touches(std::int32_t element) const;
     [[nodiscard]] std::size_t bytes() const;
 };
 
-/// Partitions the target on rank 0 and builds this rank's part of it.
+/// The decomposition that the scene alone suggests, computed on rank 0.
 /// @throws std::invalid_argument when there are more ranks than columns
 /// @note Collective
-Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm);
+partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm);
+
+/// This rank's part of the target, at rest. @note Collective
+Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const partition::Decomposition& decomposition,
+                  const parallel::Communicator& comm);
 
 }  // namespace weavefront::solver

@@ -38,6 +38,9 @@ class Simulation {
     /// Velocities, positions, contact work, erosion, ghosts.
     void integrate();
 
+    /// Goes on with other columns on this rank; between integrate and advance_forces.
+    void redistribute(const partition::Decomposition& decomposition);
+
     /// Energies and motion now; between advance_forces and integrate. @note Collective
     [[nodiscard]] Balance balance();
 
@@ -49,6 +52,7 @@ class Simulation {
     [[nodiscard]] const mesh::Panel& panel() const { return panel_; }
     [[nodiscard]] const Counts& counts() const { return counts_; }
     [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
+    [[nodiscard]] const PhaseSeconds& seconds() const { return seconds_; }
     /// Position of the projectile's nose at the start, m.
     [[nodiscard]] const Vec3& initial_projectile() const { return initial_projectile_; }
     /// Strains, stresses, ... of an owned element.
@@ -59,6 +63,7 @@ class Simulation {
     void evaluate_contact();
     void sum_over_ranks();
     void adapt_time_step();
+    void list_supports();
     void hold_supports();
     void move_nodes();
     void update_candidates();

@@ -122,16 +122,12 @@ class FeatureGroup final : public ElementGroup {
     }
 
     [[nodiscard]] std::array<Vector<Pack>, 4> gather(std::int32_t pack, std::span<const Eigen::Vector3d> x) const {
-        alignas(64) double values[4][3][pack_width];
-        const auto& corners = nodes(pack);
-        for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t lane = 0; lane < pack_width; ++lane) {
-                const auto& position = x[static_cast<std::size_t>(corners[a][lane])];
-                for (int d = 0; d < 3; ++d) values[a][d][lane] = position[d];
-            }
-        std::array<Vector<Pack>, 4> packed;
-        for (std::size_t a = 0; a < 4; ++a) packed[a] = {Pack::load(values[a][0]), Pack::load(values[a][1]), Pack::load(values[a][2])};
-        return packed;
+        std::array<Vector<Pack>, 4> corners;
+        for (std::size_t a = 0; a < 4; ++a) {
+            const auto [px, py, pz] = fabric::gather_vectors(x[0].data(), nodes(pack)[a]);
+            corners[a] = {px, py, pz};
+        }
+        return corners;
     }
 
     [[nodiscard]] Quad<Pack> load_quad(std::int32_t pack) const {

@@ -138,29 +138,28 @@ class FeatureGroup final : public ElementGroup {
 
     void advance_pack(std::int32_t pack, std::span<const Eigen::Vector3d> x, double* forces, Events& events) {
         auto state = fabric::load_state<F, Pack>(state_at(pack));
-        const auto before = state;
+        [[maybe_unused]] const Pack intact_f = state.intact_f, intact_w = state.intact_w;
         const auto result = internal_force<F, Pack>(constants_, step_, hourglass_, load_quad(pack), gather(pack, x), state);
-        fabric::store_state<F, Pack>(state, state_at(pack));
         for (int a = 0; a < 3; ++a) {
             const auto& f = result.corner[static_cast<std::size_t>(a)];
             f.x.store(forces + (a * 3 + 0) * pack_width);
             f.y.store(forces + (a * 3 + 1) * pack_width);
             f.z.store(forces + (a * 3 + 2) * pack_width);
         }
-        double* hourglass = hourglass_energy_.data() + static_cast<std::size_t>(pack) * pack_width;
-        if constexpr (F.failure) {
-            if (fabric::any((state.intact_f < before.intact_f) | (state.intact_w < before.intact_w)))
-                note_breaks(pack, before, state, result.hourglass_energy, forces, events);
-            else
-                result.hourglass_energy.store(hourglass);
-        } else {
-            result.hourglass_energy.store(hourglass);
-        }
+        if constexpr (F.failure)
+            if (fabric::any((state.intact_f < intact_f) | (state.intact_w < intact_w))) {
+                note_breaks(pack, state, result.hourglass_energy, forces, events);
+                return;
+            }
+        fabric::store_state<F, Pack>(state, state_at(pack));
+        result.hourglass_energy.store(hourglass_energy_.data() + static_cast<std::size_t>(pack) * pack_width);
     }
 
     /// Counts broken yarns; elements that erode by it give no force from this very step on, and the work of the step is corrected so.
-    void note_breaks(std::int32_t pack, const fabric::State<Pack>& before, const fabric::State<Pack>& after, const Pack& hourglass,
-                     double* forces, Events& events) {
+    /// @param after state at the end of the step; what is stored is that at its start, and is replaced
+    void note_breaks(std::int32_t pack, const fabric::State<Pack>& after, const Pack& hourglass, double* forces, Events& events) {
+        const auto before = fabric::load_state<F, Pack>(state_at(pack));
+        fabric::store_state<F, Pack>(after, state_at(pack));
         for (int lane = 0; lane < pack_width; ++lane) {
             const auto index = pack * pack_width + lane;
             const auto at = static_cast<std::size_t>(index);

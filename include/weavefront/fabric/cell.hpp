@@ -166,7 +166,7 @@ WEAVEFRONT_INLINE void add_work(State<Real>& state, const Real& lambda_f, const 
 /// @param cos_2theta  cosine of the angle between the yarns at the end of the step, d_f . d_w
 /// @param search      of the crimp equilibrium
 template <Features F, class Real, class Search = StatedSearch>
-Response<Real> advance(const Constants& c, const Step& step, State<Real>& state, Real lambda_f, Real lambda_w, Real cos_2theta,
+WEAVEFRONT_INLINE Response<Real> advance(const Constants& c, const Step& step, State<Real>& state, Real lambda_f, Real lambda_w, Real cos_2theta,
                        Search search = {}) {
     lambda_f = clamp(lambda_f, Real(smallest_stretch), Real(largest_stretch));
     lambda_w = clamp(lambda_w, Real(smallest_stretch), Real(largest_stretch));

@@ -29,6 +29,7 @@ ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupEle
     quads_.resize(lanes * quad_size);
     state_.resize(lanes * static_cast<std::size_t>(state_size));
     hourglass_energy_.resize(lanes);
+    elements_.reserve(elements.size());
     for (std::size_t i = 0; i < lanes; ++i) {
         const auto& source = elements[std::min(i, elements.size() - 1)];
         const auto index = static_cast<std::int32_t>(i);

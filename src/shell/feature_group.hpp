@@ -8,6 +8,7 @@
 #include "weavefront/fabric/cell.hpp"
 #include "weavefront/fabric/pack.hpp"
 #include "weavefront/fabric/stiffness.hpp"
+#include "weavefront/fabric/vectors.hpp"
 #include "weavefront/shell/critical_frequency.hpp"
 #include "weavefront/shell/element_group.hpp"
 #include "weavefront/shell/internal_force.hpp"
@@ -37,11 +38,17 @@ class FeatureGroup final : public ElementGroup {
 
     [[nodiscard]] Condition condition(std::span<const Eigen::Vector3d> x) const override {
         Condition condition;
-        for (std::int32_t index = 0; index < size(); ++index) {
-            if (!alive(index)) continue;
-            const auto corners = corners_of(index, x);
-            condition.omega_squared = std::max(condition.omega_squared, omega_squared(index, condition.omega_squared));
-            if (is_inverted(corners)) condition.inverted.push_back(index);
+        for (std::int32_t pack = 0; pack < packs_; ++pack) {
+            const auto quad = load_quad(pack);
+            const auto state = fabric::load_state<F, Pack>(state_at(pack));
+            const auto alive = quad.area > 0.0;
+            const Pack rough =
+                critical_frequency_squared(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
+            if (fabric::any(alive & (rough > condition.omega_squared))) raise(condition.omega_squared, pack, alive, rough);
+            const auto inverted = alive & is_inverted(gather(pack, x));
+            if (fabric::any(inverted))
+                for (int lane = 0; lane < pack_width; ++lane)
+                    if (inverted.get(lane)) condition.inverted.push_back(pack * pack_width + lane);
         }
         return condition;
     }
@@ -55,9 +62,7 @@ class FeatureGroup final : public ElementGroup {
     [[nodiscard]] ElementOutput output(std::int32_t index, std::span<const Eigen::Vector3d> x) const override {
         const auto state = state_of(index);
         const auto yarns = fabric::yarn_state<F>(constants_, state);
-        const auto corners = corners_of(index, x);
-        const auto vector = [&](std::size_t a) { return Vector<double>{corners[a].x(), corners[a].y(), corners[a].z()}; };
-        const auto k = kinematics_of(quad_of(index), {vector(0), vector(1), vector(2), vector(3)});
+        const auto k = kinematics_of(quad_of(index), corners_of(index, x));
         const double cos_2theta = dot(k.g_f, k.g_w) / std::sqrt(dot(k.g_f, k.g_f) * dot(k.g_w, k.g_w));
         return {yarns.eps_f,
                 yarns.eps_w,
@@ -70,14 +75,18 @@ class FeatureGroup final : public ElementGroup {
     }
 
   private:
-    /// Bound on the squared frequency of an element; a rough one where that is below `known` already.
-    [[nodiscard]] double omega_squared(std::int32_t index, double known) const {
-        const auto quad = quad_of(index);
-        const auto state = state_of(index);
-        const double rough =
-            critical_frequency_squared(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
-        if (rough <= known || !sharper_bound_pays(state)) return rough;
-        return std::min(rough, critical_frequency_squared(quad, fabric::tangent_bound<F>(constants_, state), hourglass_, areal_density_));
+    /// Raises `known` to the bounds on the squared frequencies of a pack, the rough ones or sharper ones where these pay.
+    void raise(double& known, std::int32_t pack, const fabric::Mask& alive, const Pack& rough) const {
+        for (int lane = 0; lane < pack_width; ++lane) {
+            double bound = rough.get(lane);
+            if (!alive.get(lane) || !(bound > known)) continue;
+            const auto index = pack * pack_width + lane;
+            const auto state = state_of(index);
+            if (sharper_bound_pays(state))
+                bound = std::min(bound, critical_frequency_squared(quad_of(index), fabric::tangent_bound<F>(constants_, state), hourglass_,
+                                                                   areal_density_));
+            known = std::max(known, bound);
+        }
     }
 
     /// Only packed yarns couple so strongly that the exact tangent is far below its rough bound. The printed stresses derive from no
@@ -103,24 +112,22 @@ class FeatureGroup final : public ElementGroup {
                 quad(index, 4), quad(index, 5), quad(index, 6), quad(index, 7)};
     }
 
-    [[nodiscard]] std::array<Eigen::Vector3d, 4> corners_of(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
-        std::array<Eigen::Vector3d, 4> corners;
-        for (std::size_t a = 0; a < 4; ++a)
-            corners[a] = x[static_cast<std::size_t>(nodes(index / pack_width)[a][static_cast<std::size_t>(index % pack_width)])];
+    [[nodiscard]] std::array<Vector<double>, 4> corners_of(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
+        std::array<Vector<double>, 4> corners;
+        for (std::size_t a = 0; a < 4; ++a) {
+            const auto& at = x[static_cast<std::size_t>(nodes(index / pack_width)[a][static_cast<std::size_t>(index % pack_width)])];
+            corners[a] = {at.x(), at.y(), at.z()};
+        }
         return corners;
     }
 
     [[nodiscard]] std::array<Vector<Pack>, 4> gather(std::int32_t pack, std::span<const Eigen::Vector3d> x) const {
-        alignas(64) double values[4][3][pack_width];
-        const auto& corners = nodes(pack);
-        for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t lane = 0; lane < pack_width; ++lane) {
-                const auto& position = x[static_cast<std::size_t>(corners[a][lane])];
-                for (int d = 0; d < 3; ++d) values[a][d][lane] = position[d];
-            }
-        std::array<Vector<Pack>, 4> packed;
-        for (std::size_t a = 0; a < 4; ++a) packed[a] = {Pack::load(values[a][0]), Pack::load(values[a][1]), Pack::load(values[a][2])};
-        return packed;
+        std::array<Vector<Pack>, 4> corners;
+        for (std::size_t a = 0; a < 4; ++a) {
+            const auto [px, py, pz] = fabric::gather_vectors(x[0].data(), nodes(pack)[a]);
+            corners[a] = {px, py, pz};
+        }
+        return corners;
     }
 
     [[nodiscard]] Quad<Pack> load_quad(std::int32_t pack) const {
@@ -131,29 +138,28 @@ class FeatureGroup final : public ElementGroup {
 
     void advance_pack(std::int32_t pack, std::span<const Eigen::Vector3d> x, double* forces, Events& events) {
         auto state = fabric::load_state<F, Pack>(state_at(pack));
-        const auto before = state;
+        [[maybe_unused]] const Pack intact_f = state.intact_f, intact_w = state.intact_w;
         const auto result = internal_force<F, Pack>(constants_, step_, hourglass_, load_quad(pack), gather(pack, x), state);
-        fabric::store_state<F, Pack>(state, state_at(pack));
         for (int a = 0; a < 3; ++a) {
             const auto& f = result.corner[static_cast<std::size_t>(a)];
             f.x.store(forces + (a * 3 + 0) * pack_width);
             f.y.store(forces + (a * 3 + 1) * pack_width);
             f.z.store(forces + (a * 3 + 2) * pack_width);
         }
-        double* hourglass = hourglass_energy_.data() + static_cast<std::size_t>(pack) * pack_width;
-        if constexpr (F.failure) {
-            if (fabric::any((state.intact_f < before.intact_f) | (state.intact_w < before.intact_w)))
-                note_breaks(pack, before, state, result.hourglass_energy, forces, events);
-            else
-                result.hourglass_energy.store(hourglass);
-        } else {
-            result.hourglass_energy.store(hourglass);
-        }
+        if constexpr (F.failure)
+            if (fabric::any((state.intact_f < intact_f) | (state.intact_w < intact_w))) {
+                note_breaks(pack, state, result.hourglass_energy, forces, events);
+                return;
+            }
+        fabric::store_state<F, Pack>(state, state_at(pack));
+        result.hourglass_energy.store(hourglass_energy_.data() + static_cast<std::size_t>(pack) * pack_width);
     }
 
     /// Counts broken yarns; elements that erode by it give no force from this very step on, and the work of the step is corrected so.
-    void note_breaks(std::int32_t pack, const fabric::State<Pack>& before, const fabric::State<Pack>& after, const Pack& hourglass,
-                     double* forces, Events& events) {
+    /// @param after state at the end of the step; what is stored is that at its start, and is replaced
+    void note_breaks(std::int32_t pack, const fabric::State<Pack>& after, const Pack& hourglass, double* forces, Events& events) {
+        const auto before = fabric::load_state<F, Pack>(state_at(pack));
+        fabric::store_state<F, Pack>(after, state_at(pack));
         for (int lane = 0; lane < pack_width; ++lane) {
             const auto index = pack * pack_width + lane;
             const auto at = static_cast<std::size_t>(index);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "weavefront/fabric/integers.hpp"
+
 namespace weavefront::solver {
 
 void Assembly::start(std::vector<FixedVector>& sums) {
@@ -29,13 +31,40 @@ void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<cons
         for (std::size_t d = 0; d < 3; ++d) sums[static_cast<std::size_t>(nodes[a])][d] += corner[a][d];
 }
 
+bool Assembly::add_pack(const std::array<std::array<std::int32_t, shell::pack_width>, 4>& nodes, const double* forces, std::size_t lanes,
+                        std::vector<FixedVector>& sums) const {
+    constexpr std::size_t width = shell::pack_width;
+    const fabric::Pack scale = scale_.scale();
+    alignas(64) std::int64_t corner[4][3][width];
+    fabric::Mask fits = fabric::Pack(0.0) < fabric::Pack(1.0);
+    for (std::size_t d = 0; d < 3; ++d) {
+        fabric::Integers rest{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            const auto scaled = fabric::Pack::load(forces + (a * 3 + d) * width) * scale;
+            fits = fits & (abs(scaled) < fabric::Pack(parallel::FixedPoint::limit));
+            const auto whole = fabric::nearest(scaled);
+            whole.store(corner[a][d]);
+            rest = rest + whole;
+        }
+        (-rest).store(corner[3][d]);
+    }
+    if (!fabric::all(fits)) return false;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        for (std::size_t a = 0; a < 4; ++a) {
+            auto& sum = sums[static_cast<std::size_t>(nodes[a][lane])];
+            for (std::size_t d = 0; d < 3; ++d) sum[d] += corner[a][d][lane];
+        }
+    return true;
+}
+
 void Assembly::add_packs(const shell::ElementGroup& group, std::int32_t first, std::int32_t count, std::span<const double> forces,
                          std::vector<FixedVector>& sums) {
     for (std::int32_t p = 0; p < count; ++p) {
         const auto& nodes = group.nodes(first + p);
         const auto pack_forces = forces.subspan(static_cast<std::size_t>(p) * shell::forces_per_pack, shell::forces_per_pack);
-        const auto lanes = std::min(group.size() - (first + p) * shell::pack_width, shell::pack_width);
-        for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
+        const auto lanes = static_cast<std::size_t>(std::min(group.size() - (first + p) * shell::pack_width, shell::pack_width));
+        if (add_pack(nodes, pack_forces.data(), lanes, sums)) continue;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
             const auto element = group.elements()[static_cast<std::size_t>((first + p) * shell::pack_width) + lane];
             add_lane({nodes[0][lane], nodes[1][lane], nodes[2][lane], nodes[3][lane]}, pack_forces, lane, sums, element);
         }

@@ -43,6 +43,7 @@ void lump_mass(const scene::Scene& scene, const mesh::Panel& panel, const mesh::
         for (const auto node : part.element_nodes[e]) sums[static_cast<std::size_t>(node)][0] += scale.from(quarter[e]);
     auto links = halo_links(model.halo);
     links.forces.sum(comm, sums);
+    model.nodes.mass.reserve(sums.size());
     for (const auto& sum : sums) model.nodes.mass.push_back(scale.to(sum[0]));
 }
 
@@ -67,6 +68,7 @@ void build_groups(const scene::Scene& scene, const mesh::Panel& panel, const mes
 
 void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, const std::vector<double>& areas,
                    contact::Surface& surface) {
+    surface.facets.reserve(part.element_ids.size());
     for (std::size_t e = 0; e < part.element_ids.size(); ++e)
         surface.facets.push_back({part.element_ids[e], part.element_nodes[e], part.element_plies[e]});
     surface.alive.assign(part.element_ids.size(), 1);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "weavefront/solver/guard.hpp"
+#include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/redistribution.hpp"
 
 namespace weavefront::solver {
@@ -223,21 +224,16 @@ Vec3 Simulation::next_velocity(std::size_t node) const {
 
 void Simulation::move_nodes() {
     auto& nodes = model_.nodes;
-    // The branch is not within the loop: what the scene leaves out costs nothing by the node.
-    const auto move = [&](auto velocity) {
+    if (scene_.damping > 0) {
         for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
-            nodes.v[n] = velocity(n);
-            nodes.x[n] += dt_ * nodes.v[n];
-        }
-    };
-    if (scene_.damping > 0)
-        move([&](std::size_t n) {
             const Vec3 next = next_velocity(n);
             if (nodes.owned[n]) damping_work_ += energy_.from(damping_work(n, next, last_dt_, dt_));
-            return next;
-        });
-    else
-        move([&, step = (last_dt_ + dt_) / 2](std::size_t n) -> Vec3 { return nodes.v[n] + push(n, step); });
+            nodes.v[n] = next;
+            nodes.x[n] += dt_ * next;
+        }
+    } else {
+        move_freely(nodes, model_.assembly.scale(), (last_dt_ + dt_) / 2, dt_);
+    }
     if (model_.projectile) {
         model_.projectile->velocity += (last_dt_ + dt_) / 2 / scene_.projectile->mass * projectile_force_;
         model_.projectile->position += dt_ * model_.projectile->velocity;
@@ -251,13 +247,8 @@ bool Simulation::moved_far() const {
     if (candidate_positions_.empty()) return false;
     // Footprints of facets may approach by the skin: each of a pair by half of it, half of that kept for the step that is under way.
     const double limit = model_.smallest_edge * skin_in_edges / 4;
-    const auto far = [limit](const Vec3& now, const Vec3& then) {
-        return std::abs(now.x() - then.x()) > limit || std::abs(now.y() - then.y()) > limit;
-    };
-    if (model_.projectile && far(model_.projectile->position, candidate_projectile_)) return true;
-    for (std::size_t n = 0; n < static_cast<std::size_t>(model_.nodes.count); ++n)
-        if (far(model_.nodes.x[n], candidate_positions_[n])) return true;
-    return false;
+    if (model_.projectile && any_moved_across({&model_.projectile->position, 1}, {&candidate_projectile_, 1}, limit)) return true;
+    return any_moved_across(model_.nodes.own_x(), candidate_positions_, limit);
 }
 
 void Simulation::update_candidates() {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "weavefront/mesh/panel.hpp"
+#include "weavefront/solver/motion.hpp"
 
 namespace weavefront::benchmark {
 
@@ -50,13 +51,7 @@ void TextbookStep::adapt_time_step() {
 }
 
 void TextbookStep::move_nodes() {
-    auto& nodes = model_.nodes;
-    const double dt = dt_, between_middles = (last_dt_ + dt) / 2;
-    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
-        const Vec3 acceleration = model_.assembly.value(nodes.force[n]) / nodes.mass[n];
-        nodes.v[n] += between_middles * acceleration;
-        nodes.x[n] += dt * nodes.v[n];
-    }
+    solver::move_freely(model_.nodes, model_.assembly.scale(), (last_dt_ + dt_) / 2, dt_);
     last_dt_ = dt_;
 }
 

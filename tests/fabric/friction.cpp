@@ -31,21 +31,21 @@ double arm_by_quadrature(double w, double theta) {
 TEST(Friction, ArmIsTheMeanDistanceInTheRhombus) {
     const fabric::Constants c = fabric::constants_of(kevlar129());
     for (double theta = 12; theta < 80; theta += 4) {
-        const double arm = fabric::friction_arm(c, std::cos(2 * theta * degree));
+        const double arm = fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * theta * degree)));
         // midpoint rule with 20000 points: its error is below 1e-6 at these angles
         EXPECT_NEAR(arm / arm_by_quadrature(c.width, theta * degree), 1, 1e-6) << theta;
-        EXPECT_NEAR(arm, fabric::friction_arm(c, std::cos(2 * (90 - theta) * degree)), 1e-14 * arm);
+        EXPECT_NEAR(arm, fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * (90 - theta) * degree))), 1e-14 * arm);
     }
 }
 
 TEST(Friction, ArmStaysAtItsLockingValueBeyondLocking) {
     const fabric::Constants c = fabric::constants_of(kevlar129());
-    const double locked = fabric::friction_arm(c, std::cos(20 * degree));
-    EXPECT_NEAR(fabric::friction_arm(c, std::cos(2 * degree)), locked, 1e-13 * locked);
-    EXPECT_NEAR(fabric::friction_arm(c, -1.0), locked, 1e-13 * locked);
+    const double locked = fabric::friction_arm(c, fabric::trellis_of(std::cos(20 * degree)));
+    EXPECT_NEAR(fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * degree))), locked, 1e-13 * locked);
+    EXPECT_NEAR(fabric::friction_arm(c, fabric::trellis_of(-1.0)), locked, 1e-13 * locked);
     scene::Fabric flat = kevlar129();
     flat.lateral->locking_angle = 45 * degree;
-    EXPECT_TRUE(std::isfinite(fabric::friction_arm(fabric::constants_of(flat), 1.0)));
+    EXPECT_TRUE(std::isfinite(fabric::friction_arm(fabric::constants_of(flat), fabric::trellis_of(1.0))));
 }
 
 TEST(Friction, WithoutALockingAngleTheWidthLimitsTheArm) {

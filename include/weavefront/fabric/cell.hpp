@@ -118,9 +118,9 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
 /// Stress as printed but for friction, IT04 (39)-(42),(48), times t_e J: resultants in the bisector frame, N/m.
 template <Features F, class Real>
 [[nodiscard]] WEAVEFRONT_INLINE PlaneTensor<Real> stress_as_printed(const Constants& c, State<Real>& state, const Real& lambda_f,
-                                                                    const Real& lambda_w, const Trellis<Real>& before,
-                                                                    const Trellis<Real>& now, const Real& J) {
+                                                                    const Real& lambda_w, const Trellis<Real>& now, const Real& J) {
     if constexpr (F.lateral) {
+        const Trellis<Real> before = trellis_of(state.cos_2theta);
         pack_yarns_as_printed(c, state, strain_increment(state.lambda_f, state.lambda_w, before, lambda_f, lambda_w, now), now);
     }
     const double share = 2.0 * c.area / (c.span * c.effective_thickness);  // (39)
@@ -166,12 +166,11 @@ WEAVEFRONT_INLINE void add_work(State<Real>& state, const Real& lambda_f, const 
 /// @param cos_2theta  cosine of the angle between the yarns at the end of the step, d_f . d_w
 /// @param search      of the crimp equilibrium
 template <Features F, class Real, class Search = StatedSearch>
-Response<Real> advance(const Constants& c, const Step& step, State<Real>& state, Real lambda_f, Real lambda_w, Real cos_2theta,
-                       Search search = {}) {
+WEAVEFRONT_INLINE Response<Real> advance(const Constants& c, const Step& step, State<Real>& state, Real lambda_f, Real lambda_w,
+                                         Real cos_2theta, Search search = {}) {
     lambda_f = clamp(lambda_f, Real(smallest_stretch), Real(largest_stretch));
     lambda_w = clamp(lambda_w, Real(smallest_stretch), Real(largest_stretch));
     const Trellis<Real> now = trellis_of(cos_2theta);
-    const Trellis<Real> before = trellis_of(state.cos_2theta);
     const Real J = lambda_f * lambda_w * now.sin_2theta;
     Real dtheta = 0.0;
     if constexpr (F.follows_angle()) {
@@ -184,11 +183,11 @@ Response<Real> advance(const Constants& c, const Step& step, State<Real>& state,
     Forces<Real> n, friction, friction_before;
     PlaneTensor<Real> T;
     if constexpr (F.paper()) {
-        T = stress_as_printed<F>(c, state, lambda_f, lambda_w, before, now, J);
+        T = stress_as_printed<F>(c, state, lambda_f, lambda_w, now, J);
         n = forces(T, now);
         if constexpr (F.friction) {
             friction_before = {state.friction_stretch, state.friction_stretch, state.friction_turn};
-            const PlaneTensor<Real> rubbing = friction_as_printed(c, slip_moment(c, yarns.crossover, now.cos_2theta), now, dtheta, J);
+            const PlaneTensor<Real> rubbing = friction_as_printed(c, slip_moment(c, yarns.crossover, now), now, dtheta, J);
             T.xx += rubbing.xx;
             T.yy += rubbing.yy;
             friction = forces(rubbing, now);
@@ -198,12 +197,12 @@ Response<Real> advance(const Constants& c, const Step& step, State<Real>& state,
     } else {
         n.fill = (c.area / c.span) * state.sigma_f * yarns.cos_beta_f * lambda_f;
         n.warp = (c.area / c.span) * state.sigma_w * yarns.cos_beta_w * lambda_w;
-        if constexpr (F.lateral) pack_yarns(c, state, lambda_f, lambda_w, before, now, dtheta, n);
+        if constexpr (F.lateral) pack_yarns(c, state, lambda_f, lambda_w, now, dtheta, n);
         Forces<Real> all = n;
         if constexpr (F.friction) {
             const double per_cell = 2.0 / (c.span * c.span);
             friction_before.angle = per_cell * state.friction_moment;
-            turn_with_friction(state, slip_moment(c, yarns.crossover, now.cos_2theta), dtheta);
+            turn_with_friction(state, slip_moment(c, yarns.crossover, now), dtheta);
             friction.angle = per_cell * state.friction_moment;
             all.angle += friction.angle;
         }

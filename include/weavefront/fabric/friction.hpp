@@ -14,12 +14,13 @@ inline constexpr double stick_angle = 1e-3;
 /// I_w/A of the rhombus in which the yarns touch, m: mean distance from its centre, IT04 (43),(45). Beyond locking, where the printed
 /// formulas grow without bound, its value at locking.
 template <class Real>
-[[nodiscard]] WEAVEFRONT_INLINE Real friction_arm(const Constants& c, const Real& cos_2theta) {
-    const Trellis<Real> trellis = trellis_of(clamp(cos_2theta, Real(-c.packed_cos_2theta), Real(c.packed_cos_2theta)));
+[[nodiscard]] WEAVEFRONT_INLINE Real friction_arm(const Constants& c, Trellis<Real> trellis) {
+    if (any(abs(trellis.cos_2theta) > c.packed_cos_2theta))
+        trellis = trellis_of(clamp(trellis.cos_2theta, Real(-c.packed_cos_2theta), Real(c.packed_cos_2theta)));
     const Real co = trellis.cos_theta, si = trellis.sin_theta;
     const Real sc = si * co;
     // tan(45 deg + theta/2)/tan(theta/2) = (1 + sin)(1 + cos)/(sin cos); cos/sin^2 + sin/cos^2 = (cos^3 + sin^3)/(sin cos)^2
-    const Real logarithm = log_ratio(Real((1.0 + si) * (1.0 + co)), sc);
+    const Real logarithm = log_far_ratio(Real((1.0 + si) * (1.0 + co)), sc);  // never below ln 5.8
     return c.width * (1.0 / 12.0) * trellis.sin_2theta * (logarithm + (co * co * co + si * si * si) / (sc * sc));
 }
 
@@ -32,8 +33,8 @@ template <class Real>
 
 /// Friction moment at full slip, M = mu <2 F/A> I_w, IT04 (44), N m. @param F force with which the yarns press on each other, N
 template <class Real>
-[[nodiscard]] WEAVEFRONT_INLINE Real slip_moment(const Constants& c, const Real& F, const Real& cos_2theta) {
-    return 2.0 * c.friction * F * friction_arm(c, cos_2theta);
+[[nodiscard]] WEAVEFRONT_INLINE Real slip_moment(const Constants& c, const Real& F, const Trellis<Real>& trellis) {
+    return 2.0 * c.friction * F * friction_arm(c, trellis);
 }
 
 /// Moment of the consistent formulation: follows the turn elastically and is returned to [-M, M]. Where M falls the moment lets go its

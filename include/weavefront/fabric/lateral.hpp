@@ -22,13 +22,14 @@ template <class Real>
 /// @param dtheta change of the braid angle, rad
 template <class Real>
 WEAVEFRONT_INLINE void pack_yarns(const Constants& c, State<Real>& state, const Real& lambda_f, const Real& lambda_w,
-                                  const Trellis<Real>& before, const Trellis<Real>& now, const Real& dtheta, Forces<Real>& n) {
+                                  const Trellis<Real>& now, const Real& dtheta, Forces<Real>& n) {
     const Real alpha = contact_factor(c, state.phi) * (state.intact_f * state.intact_w);  // a broken yarn leaves room
     const MaskOf<Real> packed = alpha > 0.0;
     Real p_f = 0.0, p_w = 0.0, q = 0.0;
     if (any(packed)) {
         const Real kept = select(alpha < state.alpha, Real(alpha / state.alpha), Real(1.0));
         const Real stiffness = alpha * (0.5 * c.lateral_modulus * c.effective_thickness);
+        const Trellis<Real> before = trellis_of(state.cos_2theta);
         const Real de_f = log_ratio(Real(lambda_w * now.sin_2theta), Real(state.lambda_w * before.sin_2theta));
         const Real de_w = log_ratio(Real(lambda_f * now.sin_2theta), Real(state.lambda_f * before.sin_2theta));
         p_f = select(packed, Real(state.p_f * kept + stiffness * de_f), p_f);

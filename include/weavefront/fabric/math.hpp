@@ -54,6 +54,17 @@ WEAVEFRONT_INLINE Real two_atanh(const Real& u) {
     return 2.0 * u + 2.0 * u * z * odd_series<11>(z);
 }
 
+/// ln(a/b) of two positive numbers; digits cancel where they are close.
+template <class Real>
+WEAVEFRONT_INLINE Real log_far_ratio(const Real& a, const Real& b) {
+    const Binary<Real> ratio = binary(Real(a / b));
+    const MaskOf<Real> low = ratio.fraction < std::numbers::sqrt2 / 2;
+    const Real fraction = select(low, Real(2.0 * ratio.fraction), ratio.fraction);
+    const Real exponent = select(low, Real(ratio.exponent - 1.0), ratio.exponent);
+    // ln 2 in two pieces: the first has few enough bits for an exact product
+    return exponent * 0x1.62e42fee00000p-1 + (exponent * 0x1.a39ef35793c76p-33 + two_atanh(Real((fraction - 1.0) / (fraction + 1.0))));
+}
+
 /// ln(a/b) of two positive numbers, without cancellation where they are close.
 template <class Real>
 WEAVEFRONT_INLINE Real log_ratio(const Real& a, const Real& b) {
@@ -61,14 +72,7 @@ WEAVEFRONT_INLINE Real log_ratio(const Real& a, const Real& b) {
     const Real short_way = two_atanh(u);
     const MaskOf<Real> far = abs(u) > 0.17;
     if (!any(far)) return short_way;
-    const Binary<Real> ratio = binary(Real(a / b));
-    const MaskOf<Real> low = ratio.fraction < std::numbers::sqrt2 / 2;
-    const Real fraction = select(low, Real(2.0 * ratio.fraction), ratio.fraction);
-    const Real exponent = select(low, Real(ratio.exponent - 1.0), ratio.exponent);
-    // ln 2 in two pieces: the first has few enough bits for an exact product
-    const Real long_way =
-        exponent * 0x1.62e42fee00000p-1 + (exponent * 0x1.a39ef35793c76p-33 + two_atanh(Real((fraction - 1.0) / (fraction + 1.0))));
-    return select(far, long_way, short_way);
+    return select(far, log_far_ratio(a, b), short_way);
 }
 
 /// 1 - e^-a for a >= 0, accurate relative to itself, so that (1 - e^-a)/a is accurate down to a = 0.

@@ -36,6 +36,13 @@ struct Mask {
 #else
     Bits lanes[registers];  // all ones or all zeros
 #endif
+    [[nodiscard]] bool get(int lane) const {
+#if defined(__AVX512F__)
+        return (lanes >> lane & 1) != 0;
+#else
+        return lanes[lane / register_width][lane % register_width] != 0;
+#endif
+    }
 };
 
 /// Eight doubles.
@@ -53,12 +60,20 @@ struct alignas(64) Pack {
 
     /// @param from eight doubles, 64-byte aligned
     WEAVEFRONT_INLINE static Pack load(const double* from) {
-        Pack result;
-        std::memcpy(&result, __builtin_assume_aligned(from, 64), sizeof result);
-        return result;
+        return load_anywhere(static_cast<const double*>(__builtin_assume_aligned(from, 64)));
     }
     /// @param to room for eight doubles, 64-byte aligned
-    WEAVEFRONT_INLINE void store(double* to) const { std::memcpy(__builtin_assume_aligned(to, 64), this, sizeof *this); }
+    WEAVEFRONT_INLINE void store(double* to) const { store_anywhere(static_cast<double*>(__builtin_assume_aligned(to, 64))); }
+
+    /// The same at any address. Register by register: g++ copies a whole pack in smaller pieces and waits for them to join.
+    WEAVEFRONT_INLINE static Pack load_anywhere(const double* from) {
+        Pack result;
+        for (int i = 0; i < registers; ++i) std::memcpy(&result.part[i], from + i * register_width, sizeof(Register));
+        return result;
+    }
+    WEAVEFRONT_INLINE void store_anywhere(double* to) const {
+        for (int i = 0; i < registers; ++i) std::memcpy(to + i * register_width, &part[i], sizeof(Register));
+    }
 };
 
 /// Applies `operation` to each register of a and b.

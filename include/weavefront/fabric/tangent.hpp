@@ -55,7 +55,7 @@ template <Features F>
         // Stretch presses the yarns together, by S Ka (s/2L) sin beta cos beta lambda, and so raises the moment that they slip at. This
         // acts one way only; half of it is shared out to either side.
         const double pressing = c.area * c.instant_modulus * (0.5 * c.span * c.inverse_length) * min(0.5 * lambda, c.thickness / c.span);
-        const double rubbing = slip_moment(c, pressing, cosine) * per_cell;
+        const double rubbing = slip_moment(c, pressing, trellis_of(cosine)) * per_cell;
         stretch_f += 0.5 * rubbing, stretch_w += 0.5 * rubbing, angle += 0.5 * rubbing;
     }
     // Along a yarn its tension counts with sin^2 beta <= 1 of the bars' slope.

@@ -23,8 +23,11 @@ class FixedPoint {
         scale_ = std::ldexp(1.0, 62 - 8 - 10 - exponent);
     }
 
+    /// A term times the scale stays below this.
+    static constexpr double limit = 0x1p54;
+
     /// True when a term of this value may be added; false for NaN and infinity.
-    [[nodiscard]] bool fits(double value) const { return std::abs(value) * scale_ < 0x1p54; }
+    [[nodiscard]] bool fits(double value) const { return std::abs(value) * scale_ < limit; }
 
     /// Nearest integer of the scaled value. @pre fits(value)
     [[nodiscard]] std::int64_t from(double value) const { return std::llrint(value * scale_); }

@@ -31,8 +31,8 @@ struct HourglassForce {
 /// @param m      g_f x g_w
 /// @param length |m|, > 0
 template <class Real>
-HourglassForce<Real> hourglass_force(const HourglassStiffness& stiffness, const Quad<Real>& quad, const Kinematics<Real>& k,
-                                     const Vector<Real>& m, const Real& length) {
+WEAVEFRONT_INLINE HourglassForce<Real> hourglass_force(const HourglassStiffness& stiffness, const Quad<Real>& quad,
+                                                       const Kinematics<Real>& k, const Vector<Real>& m, const Real& length) {
     const Real k_i = Real(stiffness.in_plane) * quad.shape, excess = Real(stiffness.warping - stiffness.in_plane) * quad.shape;
     const auto n = (Real(1.0) / length) * m;
     const Real q_n = dot(k.q, n), pressed = excess * q_n;

@@ -22,8 +22,9 @@ struct ElementForces {
 /// n_f dln lambda_f + n_w dln lambda_w + m dtheta.
 /// @param x current corners, m
 template <fabric::Features F, class Real>
-ElementForces<Real> internal_force(const fabric::Constants& constants, const fabric::Step& step, const HourglassStiffness& hourglass,
-                                   const Quad<Real>& quad, const std::array<Vector<Real>, 4>& x, fabric::State<Real>& state) {
+WEAVEFRONT_INLINE ElementForces<Real> internal_force(const fabric::Constants& constants, const fabric::Step& step,
+                                                     const HourglassStiffness& hourglass, const Quad<Real>& quad,
+                                                     const std::array<Vector<Real>, 4>& x, fabric::State<Real>& state) {
     using fabric::max;
     using fabric::sqrt;
     const Real tiny = Real(std::numeric_limits<double>::min());
@@ -37,7 +38,7 @@ ElementForces<Real> internal_force(const fabric::Constants& constants, const fab
     const Real s = response.sin_theta, c = response.cos_theta, half = Real(0.5), sin_2theta = Real(2.0) * s * c;
     const Real xx = response.T_xx * s, yy = response.T_yy * c, xs = response.T_xy * s, xc = response.T_xy * c;
     const Real along_c = half / c, along_s = half / s;
-    const auto resultant = [&](const Real& a, const Real& b, const Real& lambda) {
+    const auto resultant = [&](const Real& a, const Real& b, const Real& lambda) __attribute__((always_inline)) {
         const Real scale = quad.area / (lambda * sin_2theta);
         return (scale * (a * along_c + b * along_s)) * d_f + (scale * (a * along_c - b * along_s)) * d_w;
     };

@@ -2,22 +2,26 @@
 /// @file
 /// Quads that have turned over.
 
-#include <Eigen/Geometry>
 #include <array>
+
+#include "weavefront/fabric/real.hpp"
+#include "weavefront/shell/vector.hpp"
 
 namespace weavefront::shell {
 
-/// True when the quad is folded over itself: |g_f x g_w| is never negative, but of the four corner normals (the orientation of the quad
+/// True where the quad is folded over itself: |g_f x g_w| is never negative, but of the four corner normals (the orientation of the quad
 /// at its corners) two or more then point against the mean normal, or all are at odds with it.
 /// @param x current corners, m
-inline bool is_inverted(const std::array<Eigen::Vector3d, 4>& x) {
-    const Eigen::Vector3d mean = (x[2] - x[0]).cross(x[3] - x[1]);
-    int against = 0;
+template <class Real>
+WEAVEFRONT_INLINE fabric::MaskOf<Real> is_inverted(const std::array<Vector<Real>, 4>& x) {
+    using fabric::select;
+    const auto mean = cross(x[2] - x[0], x[3] - x[1]);
+    Real against = 0.0;
     for (std::size_t a = 0; a < 4; ++a) {
-        const Eigen::Vector3d next = x[(a + 1) % 4] - x[a], last = x[(a + 3) % 4] - x[a];
-        if (next.cross(last).dot(mean) <= 0) ++against;
+        const auto normal = cross(x[(a + 1) % 4] - x[a], x[(a + 3) % 4] - x[a]);
+        against += select(normal.x * mean.x + (normal.y * mean.y + normal.z * mean.z) <= 0.0, Real(1.0), Real(0.0));
     }
-    return against >= 2;
+    return against >= 2.0;
 }
 
 }  // namespace weavefront::shell

@@ -39,7 +39,7 @@ struct Kinematics {
 };
 
 template <class Real>
-Kinematics<Real> kinematics_of(const Quad<Real>& quad, const std::array<Vector<Real>, 4>& x) {
+WEAVEFRONT_INLINE Kinematics<Real> kinematics_of(const Quad<Real>& quad, const std::array<Vector<Real>, 4>& x) {
     const auto d13 = x[0] - x[2], d24 = x[1] - x[3];
     const Real quarter = Real(0.25);
     return {quad.Bf1 * d13 + quad.Bf2 * d24, quad.Bw1 * d13 + quad.Bw2 * d24,

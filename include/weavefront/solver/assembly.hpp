@@ -40,6 +40,9 @@ class Assembly {
     [[nodiscard]] const parallel::FixedPoint& scale() const { return scale_; }
 
   private:
+    /// Adds all lanes of a pack, or none and returns false when one of them is out of range.
+    bool add_pack(const std::array<std::array<std::int32_t, shell::pack_width>, 4>& nodes, const double* forces, std::size_t lanes,
+                  std::vector<FixedVector>& sums) const;
     void add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces, std::size_t lane,
                   std::vector<FixedVector>& sums, std::int32_t element);
     void share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces, const FixedVector& total,

@@ -1,0 +1,21 @@
+#pragma once
+/// @file
+/// The steps of the nodes that touch each of them, eight nodes at once.
+
+#include <span>
+
+#include "weavefront/parallel/fixed_point.hpp"
+#include "weavefront/solver/nodes.hpp"
+
+namespace weavefront::solver {
+
+/// v += step f/m and x += dt v of the nodes but ghosts.
+/// @param scale of the forces
+/// @param step  from the middle of the last step to that of this one, s
+/// @param dt    this step, s
+void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, double dt);
+
+/// Whether a position differs from the one before by more than `limit` along x or y.
+[[nodiscard]] bool any_moved_across(std::span<const Vec3> now, std::span<const Vec3> before, double limit);
+
+}  // namespace weavefront::solver

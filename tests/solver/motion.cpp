@@ -1,0 +1,61 @@
+/// Nodes moved eight at a time: the bits of one at a time.
+
+#include "weavefront/solver/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace weavefront::test {
+namespace {
+
+constexpr double step = 1.3e-7, dt = 1.1e-7;
+
+solver::Nodes random_nodes(std::int32_t count, std::mt19937_64& random) {
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+    solver::Nodes nodes;
+    nodes.count = count;
+    for (std::int32_t n = 0; n < count + 2; ++n) {  // and two ghosts
+        nodes.x.push_back(vector());
+        nodes.v.push_back(100 * vector());
+        nodes.mass.push_back(1e-7 * (1 + std::abs(normal(random))));
+        const auto force = [&] { return static_cast<std::int64_t>(random()) >> random() % 64; };
+        nodes.force.push_back({force(), force(), force()});
+    }
+    return nodes;
+}
+
+TEST(Motion, MovesEveryNodeAsIfAlone) {
+    const parallel::FixedPoint scale(3000);
+    std::mt19937_64 random(8);
+    for (std::int32_t count = 0; count < 40; ++count) {
+        auto nodes = random_nodes(count, random);
+        auto expected = nodes;
+        for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n)
+            for (std::size_t d = 0; d < 3; ++d) {
+                const auto i = static_cast<Eigen::Index>(d);
+                expected.v[n][i] = nodes.v[n][i] + step * (scale.to(nodes.force[n][d]) / nodes.mass[n]);
+                expected.x[n][i] = nodes.x[n][i] + dt * expected.v[n][i];
+            }
+        solver::move_freely(nodes, scale, step, dt);
+        EXPECT_EQ(nodes.v, expected.v) << count;
+        EXPECT_EQ(nodes.x, expected.x) << count;
+    }
+}
+
+TEST(Motion, SeesOneNodeThatMovedAcrossButNotAlong) {
+    for (std::size_t count = 1; count < 20; ++count)
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::vector<Vec3> before(count, Vec3(1, 2, 3));
+            auto now = before;
+            now[n] += Vec3(0.1, -0.1, 5);
+            EXPECT_FALSE(solver::any_moved_across(now, before, 0.11)) << n << " of " << count;
+            EXPECT_TRUE(solver::any_moved_across(now, before, 0.09)) << n << " of " << count;
+            now[n] = before[n] - Vec3(0, 0.2, 0);
+            EXPECT_TRUE(solver::any_moved_across(now, before, 0.11)) << n << " of " << count;
+        }
+}
+
+}  // namespace
+}  // namespace weavefront::test

@@ -99,6 +99,7 @@ VARIANTS = {
     "time.safety 0.6": ({"time.safety": "0.6"}, ("550",)),
     "mesh 1 mm": ({"target.mesh.center": "1 mm"}, ("550",)),
     "mesh 0.35 mm": ({"target.mesh.center": "0.35 mm"}, ("550",)),
+    "mesh growth 1.25": ({"target.mesh.growth": "1.25"}, ("267 fine", "550")),
 }
 
 FIELDS = ["study", "variant", "status", "final_velocity", "rebound_time", "deepest", "largest_displacement", "velocity_spread_last_fifth",

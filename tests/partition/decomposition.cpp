@@ -26,7 +26,9 @@ TEST(Decomposition, IsBalancedAndCompact) {
         EXPECT_LT(imbalance, 1.05) << parts;
         EXPECT_GE(imbalance, 1) << parts;
         // compact parts of n columns have about 4 sqrt(n) faces; scattered ones would have 4 n
-        EXPECT_LT(static_cast<double>(partition::cut_edges(decomposition, panel)), 3 * std::sqrt(static_cast<double>(parts * panel.columns()))) << parts;
+        EXPECT_LT(static_cast<double>(partition::cut_edges(decomposition, panel)),
+                  3 * std::sqrt(static_cast<double>(parts * panel.columns())))
+            << parts;
         const auto again = decompose(panel, costs, parts);
         EXPECT_EQ(decomposition.owner, again.owner) << parts;
     }
@@ -52,6 +54,16 @@ TEST(Decomposition, LeavesNoPartEmptyAndNoColumnOut) {
         ASSERT_EQ(columns, weights.size());
     }
     EXPECT_THROW(decompose(panel, weights, static_cast<int>(panel.columns()) + 1), std::invalid_argument);
+}
+
+TEST(Decomposition, BalancesWeightsWhoseSumPassesTheRangeOfMetis) {
+    mesh::Panel panel;
+    for (int i = 0; i <= 200; ++i) panel.x.push_back(i);
+    panel.y = panel.x;
+    panel.plies.resize(1);
+    std::vector<std::int32_t> weights(static_cast<std::size_t>(panel.columns()), 50'000);
+    for (std::size_t c = 0; c < weights.size() / 4; ++c) weights[c] = 300'000;
+    EXPECT_LT(partition::imbalance(decompose(panel, weights, 16), weights), 1.05);
 }
 
 TEST(Decomposition, ItsQualityIsCountedByHand) {

@@ -15,7 +15,8 @@ std::vector<std::int32_t> column_costs(const mesh::Panel& panel, const scene::Sc
     std::vector<std::int32_t> costs;
     costs.reserve(static_cast<std::size_t>(panel.columns()));
     for (const double distance : zone.distances(panel))
-        costs.push_back(static_cast<std::int32_t>(std::lround(1e9 * plies * (everywhere + zone.presence(distance) * machine.touch))));
+        costs.push_back(
+            static_cast<std::int32_t>(std::lround(1e9 * plies * (everywhere + zone.presence(distance, machine.relief) * machine.touch))));
     return costs;
 }
 

@@ -38,7 +38,8 @@ class Work {
           plies_(static_cast<double>(panel.plies.size())),
           zone_(scene),
           distances_(zone_.distances(panel)),
-          touch_(machine.touch * crowding(machine, decomposition.parts)) {
+          touch_(machine.touch * crowding(machine, decomposition.parts)),
+          relief_(machine.relief) {
         const double watched = zone_.plies() ? machine.watch + renewals(scene, machine) * machine.search : 0;
         for (const auto& part : sizes)
             everywhere_.push_back(crowding(machine, decomposition.parts) *
@@ -48,9 +49,10 @@ class Work {
 
     [[nodiscard]] std::vector<double> at(int moment) const {
         auto work = everywhere_;
-        const double radius = zone_.radius(scene_.time.end * (moment + 0.5) / moments);
+        const double passed = (moment + 0.5) / moments, radius = zone_.radius(scene_.time.end * passed);
+        const double touch = plies_ * touch_ * (1 - relief_ * passed);
         for (std::size_t c = 0; c < distances_.size(); ++c)
-            if (distances_[c] < radius) work[static_cast<std::size_t>(decomposition_.owner[c])] += plies_ * touch_;
+            if (distances_[c] < radius) work[static_cast<std::size_t>(decomposition_.owner[c])] += touch;
         return work;
     }
 
@@ -60,7 +62,7 @@ class Work {
     double plies_;
     ContactZone zone_;
     std::vector<double> distances_;
-    double touch_;
+    double touch_, relief_;
     std::vector<double> everywhere_;
 };
 

@@ -29,8 +29,8 @@ contact: {projectile: {}, plies: {}}
 time: {end: 40 us}
 output: {interval: 0, history: 1 us}
 """
-MACHINE = {"machine": "by hand", "ranks": 1, "crowding": 1, "element_ns": 100, "node_ns": 20, "watch_ns": 0, "touch_ns": 0, "search_ns": 0,
-           "searches_per_step": 0, "latency_us": 0, "bandwidth_GB_per_s": 1e9, "reduction_us": 0}
+MACHINE = {"machine": "by hand", "ranks": 1, "crowding": 1, "element_ns": 100, "node_ns": 20, "watch_ns": 0, "touch_ns": 0, "relief": 0,
+           "search_ns": 0, "searches_per_step": 0, "latency_us": 0, "bandwidth_GB_per_s": 1e9, "reduction_us": 0}
 
 
 class Partition(unittest.TestCase):

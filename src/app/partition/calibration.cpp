@@ -41,21 +41,35 @@ std::vector<double> elements_in_zone(const scene::Scene& scene, const StepTimes&
     return elements;
 }
 
+/// Means over some steps of the time of contact, s, and of the elements in the zone.
 struct Means {
-    double in_zone = 0, contact = 0;  ///< elements; seconds a step
+    double contact = 0, in_zone = 0;
 };
 
 Means means_of(const StepTimes& times, std::span<const double> in_zone, std::size_t first, std::size_t end) {
     Means means;
     for (std::size_t s = first; s < end; ++s) {
         means.in_zone += in_zone[s] / static_cast<double>(end - first);
-        means.contact += times.steps[s].phases[static_cast<std::size_t>(Phase::contact)] / static_cast<double>(end - first);
+        means.contact += times.steps[s].contact() / static_cast<double>(end - first);
     }
     return means;
 }
 
-/// Contact takes what the model says in the mean over the first hundredth of the run, where plies are but watched, and in that over the
-/// whole.
+/// Least squares of contact, less what watching takes, over the elements in the zone with a weight that declines linearly over the run.
+void fit_touch(const scene::Scene& scene, const StepTimes& times, std::span<const double> in_zone, Machine& machine) {
+    double nn = 0, nd = 0, dd = 0, ny = 0, dy = 0, n_sum = 0, d_sum = 0, y_sum = 0;
+    for (std::size_t s = 0; s < in_zone.size(); ++s) {
+        const double n = in_zone[s], d = n * times.steps[s].time / scene.time.end;
+        const double y = times.steps[s].contact() - machine.watch * static_cast<double>(times.elements);
+        nn += n * n, nd += n * d, dd += d * d, ny += n * y, dy += d * y;
+        n_sum += n, d_sum += d, y_sum += y;
+    }
+    const double constant = ny * dd - dy * nd, decline = ny * nd - dy * nn;
+    machine.relief = constant > 0 ? std::clamp(decline / constant, 0.0, 1.0) : 0;
+    machine.touch = std::max(0.0, y_sum / (n_sum - machine.relief * d_sum));  // right in the mean over the run
+}
+
+/// Over the first hundredth of the run plies are but watched.
 void fit_contact(const scene::Scene& scene, const StepTimes& times, Machine& machine) {
     const auto in_zone = elements_in_zone(scene, times);
     // The first step allocates.
@@ -64,8 +78,11 @@ void fit_contact(const scene::Scene& scene, const StepTimes& times, Machine& mac
     if (!(whole.in_zone - early.in_zone > 0.05 * elements))
         refuse(fmt::format("contact reaches {:.2g} % of the elements in the mean over the run, allowed are at least 5 %: a later time.end",
                            100 * whole.in_zone / elements));
-    machine.touch = std::max(0.0, (whole.contact - early.contact) / (whole.in_zone - early.in_zone));
-    machine.watch = std::max(0.0, (early.contact - machine.touch * early.in_zone) / elements);
+    // The zone is small at first: a few rounds settle what is watched and what touches.
+    for (int round = 0; round < 5; ++round) {
+        machine.watch = std::max(0.0, (early.contact - machine.touch * early.in_zone) / elements);
+        fit_touch(scene, times, in_zone, machine);
+    }
 }
 
 void fit_steps(const scene::Scene& scene, const StepTimes& times, Machine& machine) {

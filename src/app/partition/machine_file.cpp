@@ -24,11 +24,12 @@ struct Constant {
     double least;
 };
 
-constexpr std::array<Constant, 10> constants{{{"crowding", &Machine::crowding, 1, 1},
+constexpr std::array<Constant, 11> constants{{{"crowding", &Machine::crowding, 1, 1},
                                               {"element_ns", &Machine::element, 1e-9, 0},
                                               {"node_ns", &Machine::node, 1e-9, 0},
                                               {"watch_ns", &Machine::watch, 1e-9, 0},
                                               {"touch_ns", &Machine::touch, 1e-9, 0},
+                                              {"relief", &Machine::relief, 1, 0},
                                               {"search_ns", &Machine::search, 1e-9, 0},
                                               {"searches_per_step", &Machine::searches_per_step, 1, 0},
                                               {"latency_us", &Machine::latency, 1e-6, 0},

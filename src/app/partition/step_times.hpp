@@ -17,6 +17,8 @@ struct StepTime {
     double seconds = 0;  ///< it took
     solver::PhaseSeconds phases{};
     bool searched = false;  ///< what may meet was looked for anew
+
+    [[nodiscard]] double contact() const { return phases[static_cast<std::size_t>(solver::Phase::contact)]; }
 };
 
 struct StepTimes {

@@ -21,7 +21,8 @@ class ContactZone {
     [[nodiscard]] double radius(double time) const { return start_ + speed_ * time; }
 
     /// Share of the run up to scene.time.end during which a place is within the zone. @param distance from the axis of the shot, m
-    [[nodiscard]] double presence(double distance) const;
+    /// @param relief what contact costs at the beginning of the run counts 1, at its end 1 - relief, in between linearly
+    [[nodiscard]] double presence(double distance, double relief = 0) const;
 
     /// Distances of the centres of all columns from the axis of the shot, m.
     [[nodiscard]] std::vector<double> distances(const mesh::Panel& panel) const;

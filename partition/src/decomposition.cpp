@@ -34,16 +34,33 @@ Graph column_graph(const mesh::Panel& panel) {
 
 /// METIS may leave parts empty when there are nearly as many parts as columns: each takes the last column of the fullest part.
 void fill_empty_parts(Decomposition& decomposition) {
-    std::vector<std::int64_t> count(static_cast<std::size_t>(decomposition.parts));
-    for (const auto part : decomposition.owner) ++count[static_cast<std::size_t>(part)];
-    for (std::size_t part = 0; part < count.size(); ++part) {
-        if (count[part] > 0) continue;
-        const auto fullest = static_cast<std::size_t>(std::max_element(count.begin(), count.end()) - count.begin());
-        const auto last = std::find(decomposition.owner.rbegin(), decomposition.owner.rend(), static_cast<std::int32_t>(fullest));
-        *last = static_cast<std::int32_t>(part);
-        --count[fullest];
-        ++count[part];
+    std::vector<std::vector<std::size_t>> columns(static_cast<std::size_t>(decomposition.parts));
+    for (std::size_t c = 0; c < decomposition.owner.size(); ++c) columns[static_cast<std::size_t>(decomposition.owner[c])].push_back(c);
+    const auto less_full = [&](std::size_t a, std::size_t b) {
+        return columns[a].size() != columns[b].size() ? columns[a].size() < columns[b].size() : a > b;
+    };
+    std::vector<std::size_t> fullest, empty;
+    for (std::size_t part = 0; part < columns.size(); ++part) (columns[part].empty() ? empty : fullest).push_back(part);
+    std::ranges::make_heap(fullest, less_full);
+    for (const auto part : empty) {
+        std::ranges::pop_heap(fullest, less_full);
+        auto& giving = columns[fullest.back()];
+        decomposition.owner[giving.back()] = static_cast<std::int32_t>(part);
+        giving.pop_back();
+        std::ranges::push_heap(fullest, less_full);
     }
+}
+
+// METIS adds weights in 32 bits.
+constexpr std::int64_t largest_total = std::int64_t{1} << 30;
+
+std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights) {
+    const auto total = std::accumulate(weights.begin(), weights.end(), std::int64_t{0});
+    const auto divisor = static_cast<std::int32_t>(total / largest_total + 1);
+    std::vector<idx_t> scaled;
+    scaled.reserve(weights.size());
+    for (const auto weight : weights) scaled.push_back(std::max(weight / divisor, 1));
+    return scaled;
 }
 
 std::vector<idx_t> metis_kway(Graph& graph, std::vector<idx_t>& weights, idx_t parts) {
@@ -76,25 +93,29 @@ Decomposition decompose(const mesh::Panel& panel, std::span<const std::int32_t> 
     Decomposition decomposition{parts, std::vector<std::int32_t>(static_cast<std::size_t>(panel.columns()), 0)};
     if (parts == 1) return decomposition;
     auto graph = column_graph(panel);
-    std::vector<idx_t> metis_weights(weights.begin(), weights.end());
-    const auto owner = metis_kway(graph, metis_weights, parts);
+    auto scaled = metis_weights(weights);
+    const auto owner = metis_kway(graph, scaled, parts);
     decomposition.owner.assign(owner.begin(), owner.end());
     fill_empty_parts(decomposition);
     return decomposition;
 }
 
-Quality quality_of(const Decomposition& decomposition, const mesh::Panel& panel, std::span<const std::int32_t> weights) {
+std::int64_t cut_edges(const Decomposition& decomposition, const mesh::Panel& panel) {
+    const auto nx = panel.columns_x(), ny = panel.columns_y();
+    const auto owner = [&](std::int64_t i, std::int64_t j) { return decomposition.owner[static_cast<std::size_t>(j * nx + i)]; };
+    std::int64_t cut = 0;
+    for (std::int64_t j = 0; j < ny; ++j)
+        for (std::int64_t i = 0; i < nx; ++i) {
+            if (i + 1 < nx && owner(i, j) != owner(i + 1, j)) ++cut;
+            if (j + 1 < ny && owner(i, j) != owner(i, j + 1)) ++cut;
+        }
+    return cut;
+}
+
+double imbalance(const Decomposition& decomposition, std::span<const std::int32_t> weights) {
     std::vector<double> load(static_cast<std::size_t>(decomposition.parts));
     for (std::size_t c = 0; c < weights.size(); ++c) load[static_cast<std::size_t>(decomposition.owner[c])] += weights[c];
-    Quality quality;
-    quality.imbalance = *std::max_element(load.begin(), load.end()) * decomposition.parts / std::accumulate(load.begin(), load.end(), 0.0);
-    const auto graph = column_graph(panel);
-    for (std::size_t c = 0; c < weights.size(); ++c)
-        for (auto k = graph.first[c]; k < graph.first[c + 1]; ++k) {
-            const auto other = static_cast<std::size_t>(graph.neighbours[static_cast<std::size_t>(k)]);
-            if (other > c && decomposition.owner[other] != decomposition.owner[c]) ++quality.cut_edges;
-        }
-    return quality;
+    return *std::max_element(load.begin(), load.end()) * decomposition.parts / std::accumulate(load.begin(), load.end(), 0.0);
 }
 
 }  // namespace weavefront::partition

@@ -18,5 +18,6 @@ void add_check(CLI::App& app);
 void add_cell(CLI::App& app);
 void add_yarn(CLI::App& app);
 void add_study(CLI::App& app);
+void add_partition(CLI::App& app);
 
 }  // namespace weavefront::app

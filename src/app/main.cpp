@@ -40,6 +40,7 @@ void add_commands(CLI::App& app) {
     app::add_cell(app);
     app::add_yarn(app);
     app::add_study(app);
+    app::add_partition(app);
 }
 
 Status run(CLI::App& app, int argc, char** argv) {

@@ -14,7 +14,7 @@
 namespace weavefront::app {
 namespace {
 
-constexpr std::array<std::string_view, 2> later_subcommands{"v50", "partition"};
+constexpr std::array<std::string_view, 1> later_subcommands{"v50"};
 constexpr std::array<std::string_view, 2> later_options{"--restart", "--rebalance"};
 
 template <typename Later>

@@ -76,12 +76,14 @@ PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spaci
       reserves_(points_.size()) {
     for (const auto& ply : plies_) {
         most_touching_ = std::max(most_touching_, ply.thickness);
-        depth_ = std::max(depth_, deepest_in_thicknesses * ply.thickness);
+        depth_ = std::max(depth_, depth(ply.thickness));
         for (const auto& other : plies_)
             laws_.emplace_back(law, ply.areal_density * other.areal_density / (ply.areal_density + other.areal_density));
     }
     for (std::size_t f = 0; f < points_.size(); ++f) rules_.push_back(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x)));
 }
+
+double PlyContact::depth(double thickness) { return deepest_in_thicknesses * thickness; }
 
 void PlyContact::update_candidates(const Surface& surface, std::span<const Vec3> x, double skin) {
     candidates_ = find_candidates(surface, x, depth_ + skin);

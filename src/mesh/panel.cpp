@@ -25,6 +25,13 @@ std::uint8_t held_by(scene::Edge edge) {
 
 }  // namespace
 
+double Panel::smallest_edge() const {
+    double smallest = x.back() - x.front();
+    for (const auto* line : {&x, &y})
+        for (std::size_t i = 1; i < line->size(); ++i) smallest = std::min(smallest, (*line)[i] - (*line)[i - 1]);
+    return smallest;
+}
+
 std::array<std::int64_t, 4> Panel::footprint(std::int64_t column) const {
     const auto i = column % columns_x(), j = column / columns_x(), stride = columns_x() + 1;
     const auto first = j * stride + i;

@@ -17,6 +17,7 @@ struct Footprint {
         x_low = std::min(x_low, box.low.x()), x_high = std::max(x_high, box.high.x());
         y_low = std::min(y_low, box.low.y()), y_high = std::max(y_high, box.high.y());
     }
+    [[nodiscard]] contact::Box box() const { return {Vec3(x_low, y_low, 0), Vec3(x_high, y_high, 0)}; }
     [[nodiscard]] bool meets(const contact::Box& box, double reach) const {
         return box.low.x() <= x_high + reach && box.high.x() >= x_low - reach && box.low.y() <= y_high + reach &&
                box.high.y() >= y_low - reach;
@@ -66,7 +67,7 @@ Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& p
     Outgoing out{std::vector<std::vector<FacetMessage>>(ranks), Lists(ranks)};
     std::vector<std::size_t> told(static_cast<std::size_t>(nodes.count), ranks);
     for (std::size_t r = 0; r < ranks; ++r) {
-        if (static_cast<int>(r) == comm.rank()) continue;
+        if (static_cast<int>(r) == comm.rank() || !footprints[r].meets(mine.box(), reach)) continue;
         for (std::size_t f = 0; f < boxes.size(); ++f) {
             if (!footprints[r].meets(boxes[f], reach)) continue;
             const auto& facet = surface.facets[f];

@@ -81,12 +81,6 @@ void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const me
     }
 }
 
-double smallest_difference(const std::vector<double>& line) {
-    double smallest = line.back() - line.front();
-    for (std::size_t i = 1; i < line.size(); ++i) smallest = std::min(smallest, line[i] - line[i - 1]);
-    return smallest;
-}
-
 /// The force that strains the stiffest yarns of the largest element by a tenth, or presses contact through its thickness.
 double largest_force(const scene::Scene& scene) {
     const auto& target = *scene.target;
@@ -129,7 +123,7 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const par
     model.halo = partition::make_halo_plan(panel, decomposition, part, comm.rank());
     model.nodes = build_nodes(part, model.halo.owned);
     model.global = {panel.nodes(), panel.elements(), part.element_ids};
-    model.smallest_edge = std::min(smallest_difference(panel.x), smallest_difference(panel.y));
+    model.smallest_edge = panel.smallest_edge();
     build_groups(scene, panel, part, model);
     std::vector<double> areas;
     for (std::size_t e = 0; e < part.element_ids.size(); ++e) areas.push_back(shell::make_quad(corners_of(part, e), 0).area);

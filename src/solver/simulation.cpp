@@ -54,6 +54,14 @@ std::string place_of(const mesh::Panel& panel, std::int64_t element) {
 
 }  // namespace
 
+double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel) {
+    if (!scene.contact.plies || panel.plies.size() < 2) return 0;
+    double thickest = 0;
+    for (const auto& ply : panel.plies)
+        thickest = std::max(thickest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].contact_thickness);
+    return contact::PlyContact::depth(thickest) + skin_in_edges * panel.smallest_edge();
+}
+
 Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& comm)
     : scene_(scene),
       comm_(comm),
@@ -71,6 +79,7 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
     energy_ = parallel::FixedPoint(initial_energy_ > 0 ? initial_energy_ : 1);
     adapt_time_step();
     update_candidates();
+    seconds_ = {};  // phases are those of the steps
 }
 
 void Simulation::advance_forces() {
@@ -83,21 +92,25 @@ void Simulation::advance_forces() {
 }
 
 void Simulation::integrate() {
-    const Timed timed(seconds_, Phase::integrate);
-    move_nodes();
-    update_ghosts(comm_, model_.links, model_.nodes);
-    count_contact_work(dt_);
-    for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
-    just_eroded_.clear();
+    {
+        const Timed timed(seconds_, Phase::integrate);
+        move_nodes();
+        update_ghosts(comm_, model_.links, model_.nodes);
+        count_contact_work(dt_);
+        for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
+        just_eroded_.clear();
+    }
     if (candidates_outdated_) update_candidates();
 }
 
 void Simulation::redistribute(const partition::Decomposition& decomposition) {
-    const Timed timed(seconds_, Phase::halo);
-    model_ = solver::redistribute(scene_, panel_, decomposition, model_, comm_);
-    for (const auto& group : model_.groups) group->set_time_step(dt_);
-    pairs_.clear();
-    list_supports();
+    {
+        const Timed timed(seconds_, Phase::halo);
+        model_ = solver::redistribute(scene_, panel_, decomposition, model_, comm_);
+        for (const auto& group : model_.groups) group->set_time_step(dt_);
+        pairs_.clear();
+        list_supports();
+    }
     update_candidates();
 }
 
@@ -254,6 +267,8 @@ bool Simulation::moved_far() const {
 void Simulation::update_candidates() {
     candidates_outdated_ = false;
     if (!model_.projectile_contact && !model_.ply_contact) return;
+    const Timed timed(seconds_, Phase::search);
+    ++counts_.searches;
     const double skin = skin_in_edges * model_.smallest_edge;
     auto& nodes = model_.nodes;
     if (model_.ply_contact) {

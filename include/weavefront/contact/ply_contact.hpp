@@ -43,6 +43,9 @@ class PlyContact {
     /// How far apart footprints may be and still matter, m, without the skin.
     [[nodiscard]] double reach() const { return depth_; }
 
+    /// Overlaps deeper than this are not looked for, m. @param thickness of the thickest ply, m
+    static double depth(double thickness);
+
   private:
     /// A facet that may touch the one at hand.
     struct Near {

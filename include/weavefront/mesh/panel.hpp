@@ -29,6 +29,9 @@ struct Panel {
     [[nodiscard]] std::int64_t elements() const { return columns() * static_cast<std::int64_t>(plies.size()); }
     [[nodiscard]] std::int64_t nodes() const { return nodes_per_ply() * static_cast<std::int64_t>(plies.size()); }
 
+    /// Length of the shortest edge of an element, m.
+    [[nodiscard]] double smallest_edge() const;
+
     /// The four footprint nodes of a column, counter-clockwise seen from +z, from 0 to nodes_per_ply() - 1.
     [[nodiscard]] std::array<std::int64_t, 4> footprint(std::int64_t column) const;
 

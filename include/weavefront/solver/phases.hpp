@@ -9,9 +9,10 @@
 
 namespace weavefront::solver {
 
-enum class Phase : std::size_t { setup, elements, contact, halo, integrate, ledger, output };
+enum class Phase : std::size_t { setup, elements, contact, halo, integrate, search, ledger, output };
 
-inline constexpr std::array<std::string_view, 7> phase_names{"setup", "elements", "contact", "halo", "integrate", "ledger", "output"};
+inline constexpr std::array<std::string_view, 8> phase_names{"setup",     "elements", "contact", "halo",
+                                                             "integrate", "search",   "ledger",  "output"};
 
 /// Seconds spent in each phase on this rank.
 using PhaseSeconds = std::array<double, phase_names.size()>;

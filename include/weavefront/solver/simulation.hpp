@@ -19,10 +19,14 @@ namespace weavefront::solver {
 struct Counts {
     std::int64_t broken_yarns = 0, eroded_elements = 0;
     std::vector<double> first_break;   ///< by ply, s; largest double: none
+    std::int64_t searches = 0;         ///< how often what may meet was looked for, the first time included
     std::int64_t inverted = 0;         ///< elements found turned over, at the checks
     double max_displacement = 0;       ///< largest of the rows, m
     double lowest_contact_energy = 0;  ///< J, over the rows: below zero contact gave energy
 };
+
+/// Distance from a rank's own facets up to which those of others become its ghosts, m; 0: plies are not in contact with each other.
+double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel);
 
 /// Central differences: `advance_forces` completes the state at the present time (forces from the positions), `integrate` moves on to the
 /// next. Between the two the state may be observed.

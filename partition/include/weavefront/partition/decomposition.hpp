@@ -19,12 +19,6 @@ struct Decomposition {
     [[nodiscard]] std::vector<std::int64_t> columns_of(int part) const;
 };
 
-/// How good a decomposition is.
-struct Quality {
-    double imbalance = 1;        ///< largest part's weight over the mean
-    std::int64_t cut_edges = 0;  ///< column faces between parts
-};
-
 /// Partitions the column graph with METIS (k-way, one constraint, imbalance 1.005); no part is left empty. The result depends on the
 /// arguments only: call it on one rank and distribute it.
 /// @param weights measured cost of each column, > 0
@@ -32,6 +26,10 @@ struct Quality {
 /// @throws std::invalid_argument when there are more parts than columns; std::runtime_error when METIS fails
 Decomposition decompose(const mesh::Panel& panel, std::span<const std::int32_t> weights, int parts);
 
-Quality quality_of(const Decomposition& decomposition, const mesh::Panel& panel, std::span<const std::int32_t> weights);
+/// Largest part's weight over the mean.
+double imbalance(const Decomposition& decomposition, std::span<const std::int32_t> weights);
+
+/// Column faces between parts.
+std::int64_t cut_edges(const Decomposition& decomposition, const mesh::Panel& panel);
 
 }  // namespace weavefront::partition

@@ -1,0 +1,10 @@
+# partition/machine.json, as `weavefront partition SCENE --calibrate FILE` writes it, becomes a source of weavefront::partition.
+set(machine_file ${PROJECT_SOURCE_DIR}/partition/machine.json)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${machine_file})
+file(READ ${machine_file} machine_text)
+string(JSON machine_name GET "${machine_text}" machine)
+foreach(key ranks crowding element_ns node_ns watch_ns touch_ns relief search_ns searches_per_step latency_us bandwidth_GB_per_s reduction_us)
+    string(JSON ${key} GET "${machine_text}" ${key})
+endforeach()
+configure_file(${PROJECT_SOURCE_DIR}/partition/src/committed_machine.cpp.in ${PROJECT_BINARY_DIR}/committed_machine.cpp @ONLY)
+target_sources(weavefront_partition PRIVATE ${PROJECT_BINARY_DIR}/committed_machine.cpp)

@@ -1,0 +1,57 @@
+#include "weavefront/partition/contact_zone.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weavefront::partition {
+
+namespace {
+
+// Measured from 20 to 180 us in the 267 m/s example and from 17 to 69 us in the 550 m/s one: 19 of 20 elements near to touching are within.
+constexpr double share_of_speeds = 0.24;
+
+double speed_of(const std::array<double, 3>& velocity) { return std::hypot(velocity[0], velocity[1], velocity[2]); }
+
+}  // namespace
+
+double wave_speed(const scene::Fabric& fabric) {
+    return std::sqrt(fabric.elastic.static_modulus * fabric.yarn.area / (fabric.yarn.span * fabric.areal_density));
+}
+
+double largest_wave_speed(const scene::Scene& scene) {
+    double largest = 0;
+    for (const auto& ply : scene.target->plies)
+        largest = std::max(largest, wave_speed(scene.fabrics[static_cast<std::size_t>(ply.fabric)]));
+    return largest;
+}
+
+ContactZone::ContactZone(const scene::Scene& scene) : end_(scene.time.end) {
+    plies_ = scene.contact.plies && scene.target->plies.size() > 1;
+    if (!scene.projectile || (!plies_ && !scene.contact.projectile)) return;
+    const auto& projectile = *scene.projectile;
+    axis_ = {projectile.position[0], projectile.position[1]};
+    start_ = projectile.diameter / 2;
+    if (plies_) speed_ = share_of_speeds * std::cbrt(std::pow(largest_wave_speed(scene), 2) * speed_of(projectile.velocity));
+}
+
+double ContactZone::presence(double distance, double relief) const {
+    double arrival = 1;  // over the time of the run
+    if (distance < start_)
+        arrival = 0;
+    else if (speed_ > 0 && end_ > 0)
+        arrival = std::min(1.0, (distance - start_) / (speed_ * end_));
+    return 1 - arrival - relief / 2 * (1 - arrival * arrival);
+}
+
+std::vector<double> ContactZone::distances(const mesh::Panel& panel) const {
+    std::vector<double> distances;
+    distances.reserve(static_cast<std::size_t>(panel.columns()));
+    for (std::int64_t column = 0; column < panel.columns(); ++column) {
+        const auto corners = panel.footprint(column);
+        const Vec3 centre = (panel.position(0, corners[0]) + panel.position(0, corners[2])) / 2;
+        distances.push_back(std::hypot(centre.x() - axis_[0], centre.y() - axis_[1]));
+    }
+    return distances;
+}
+
+}  // namespace weavefront::partition

@@ -1,0 +1,177 @@
+#include "calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <span>
+
+#include "ranks_apart.hpp"
+#include "step_times.hpp"
+#include "weavefront/mesh/panel.hpp"
+#include "weavefront/parallel/exchange.hpp"
+#include "weavefront/partition/contact_zone.hpp"
+#include "weavefront/partition/forecast.hpp"
+#include "weavefront/scene/read.hpp"
+
+namespace weavefront::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using partition::Machine;
+using solver::Phase;
+
+[[noreturn]] void refuse(const std::string& what) { throw scene::InputError({"--calibrate: " + what}); }
+
+/// Elements within the zone of contact at the start of every step.
+std::vector<double> elements_in_zone(const scene::Scene& scene, const StepTimes& times) {
+    const auto panel = mesh::make_panel(scene);
+    const partition::ContactZone zone(scene);
+    auto distances = zone.distances(panel);
+    std::ranges::sort(distances);
+    std::vector<double> elements;
+    for (const auto& step : times.steps) {
+        const auto columns = std::ranges::lower_bound(distances, zone.radius(step.time)) - distances.begin();
+        elements.push_back(static_cast<double>(columns) * static_cast<double>(panel.plies.size()));
+    }
+    return elements;
+}
+
+/// Means over some steps of the time of contact, s, and of the elements in the zone.
+struct Means {
+    double contact = 0, in_zone = 0;
+};
+
+Means means_of(const StepTimes& times, std::span<const double> in_zone, std::size_t first, std::size_t end) {
+    Means means;
+    for (std::size_t s = first; s < end; ++s) {
+        means.in_zone += in_zone[s] / static_cast<double>(end - first);
+        means.contact += times.steps[s].contact() / static_cast<double>(end - first);
+    }
+    return means;
+}
+
+/// Least squares of contact, less what watching takes, over the elements in the zone with a weight that declines linearly over the run.
+void fit_touch(const scene::Scene& scene, const StepTimes& times, std::span<const double> in_zone, Machine& machine) {
+    double nn = 0, nd = 0, dd = 0, ny = 0, dy = 0, n_sum = 0, d_sum = 0, y_sum = 0;
+    for (std::size_t s = 0; s < in_zone.size(); ++s) {
+        const double n = in_zone[s], d = n * times.steps[s].time / scene.time.end;
+        const double y = times.steps[s].contact() - machine.watch * static_cast<double>(times.elements);
+        nn += n * n, nd += n * d, dd += d * d, ny += n * y, dy += d * y;
+        n_sum += n, d_sum += d, y_sum += y;
+    }
+    const double constant = ny * dd - dy * nd, decline = ny * nd - dy * nn;
+    machine.relief = constant > 0 ? std::clamp(decline / constant, 0.0, 1.0) : 0;
+    machine.touch = std::max(0.0, y_sum / (n_sum - machine.relief * d_sum));  // right in the mean over the run
+}
+
+/// Over the first hundredth of the run plies are but watched.
+void fit_contact(const scene::Scene& scene, const StepTimes& times, Machine& machine) {
+    const auto in_zone = elements_in_zone(scene, times);
+    // The first step allocates.
+    const auto early = means_of(times, in_zone, 1, 2 + in_zone.size() / 100), whole = means_of(times, in_zone, 0, in_zone.size());
+    const auto elements = static_cast<double>(times.elements);
+    if (!(whole.in_zone - early.in_zone > 0.05 * elements))
+        refuse(fmt::format("contact reaches {:.2g} % of the elements in the mean over the run, allowed are at least 5 %: a later time.end",
+                           100 * whole.in_zone / elements));
+    // The zone is small at first: a few rounds settle what is watched and what touches.
+    for (int round = 0; round < 5; ++round) {
+        machine.watch = std::max(0.0, (early.contact - machine.touch * early.in_zone) / elements);
+        fit_touch(scene, times, in_zone, machine);
+    }
+}
+
+void fit_steps(const scene::Scene& scene, const StepTimes& times, Machine& machine) {
+    const auto steps = static_cast<double>(times.steps.size()), elements = static_cast<double>(times.elements);
+    const auto searches = static_cast<double>(std::ranges::count(times.steps, true, &StepTime::searched));
+    if (times.steps.size() < 100) refuse(fmt::format("the run has {} steps, allowed are at least 100", times.steps.size()));
+    if (searches == 0) refuse("nothing had to be looked for anew up to time.end; allowed is a longer run");
+    fit_contact(scene, times, machine);
+    machine.element = times.sum(Phase::elements) / (steps * elements);
+    machine.search = times.sum(Phase::search) / (searches * elements);
+    machine.searches_per_step = 1;
+    machine.searches_per_step = searches / steps / partition::renewals(scene, machine);
+    const double rest = times.mean() * steps - times.sum(Phase::elements) - times.sum(Phase::contact) - times.sum(Phase::search);
+    machine.node = rest / (steps * static_cast<double>(times.nodes));
+}
+
+/// Least time of one call over batches of calls that all ranks begin together, the most of the ranks, s. @note Collective
+template <class Call>
+double least_time(const parallel::Communicator& comm, Call call) {
+    constexpr int batches = 200, calls = 20;
+    double least = std::numeric_limits<double>::max();
+    for (int batch = 0; batch < batches; ++batch) {
+        parallel::check(MPI_Barrier(comm.get()));
+        const auto start = Clock::now();
+        for (int i = 0; i < calls; ++i) call();
+        least = std::min(least, std::chrono::duration<double>(Clock::now() - start).count() / calls);
+    }
+    return comm.max(least);
+}
+
+/// Time of an exchange with the rank half of all ranks away, in both directions at once. @param nodes ghosts exchanged
+double exchange_time(const parallel::Communicator& comm, std::int32_t nodes) {
+    using Value = std::array<double, 6>;
+    const int half = comm.size() / 2, other = comm.rank() < half ? comm.rank() + half : comm.rank() - half;
+    std::vector<parallel::Link> links;
+    if (comm.rank() < 2 * half) {
+        links.push_back({other, {}, {}});
+        for (std::int32_t n = 0; n < nodes; ++n) links[0].send.push_back(n), links[0].receive.push_back(nodes + n);
+    }
+    parallel::Exchange<Value> exchange(std::move(links));
+    std::vector<Value> values(static_cast<std::size_t>(2 * nodes));
+    return least_time(comm, [&] { exchange.copy(comm, values); });
+}
+
+void time_messages(const parallel::Communicator& comm, Machine& machine) {
+    constexpr std::int32_t many = 2000;  // about what a rank of some ten thousand elements exchanges
+    machine.latency = exchange_time(comm, 1);
+    machine.bandwidth = many * sizeof(std::array<double, 6>) / std::max(exchange_time(comm, many) - machine.latency, 1e-9);
+    std::array<std::int64_t, 6> values{};
+    machine.reduction = least_time(comm, [&] { comm.sum(values); }) / std::ceil(std::log2(comm.size()));
+}
+
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown processor";
+}
+
+}  // namespace
+
+void require_calibration(const scene::Scene& scene, int ranks) {
+    if (ranks < 2) refuse("found 1 rank, allowed are 2 or more: mpirun -n N weavefront partition SCENE --calibrate FILE");
+    if (!scene.projectile || !scene.contact.plies || scene.target->plies.size() < 2)
+        refuse("allowed is a scene with a projectile and contact between plies");
+}
+
+Machine calibrate(const scene::Scene& scene, const parallel::Communicator& comm, int repetitions) {
+    const parallel::Communicator self(MPI_COMM_SELF);
+    Machine machine{.name = fmt::format("{}, {} ranks", processor(), comm.size()), .ranks = comm.size()};
+    StepTimes alone;
+    if (comm.rank() == 0) alone = time_steps(scene, self, repetitions);
+    sleep_until_all_arrive(comm);
+    const auto together = time_steps(scene, self, repetitions);
+    const double slowest = comm.max(together.mean());
+    sleep_until_all_arrive(comm);
+    time_messages(comm, machine);
+    std::string fault;
+    if (comm.rank() == 0) {
+        machine.crowding = std::max(1.0, slowest / alone.mean());
+        try {
+            fit_steps(scene, alone, machine);
+        } catch (const scene::InputError& error) {
+            fault = error.messages().front();
+        }
+    }
+    fault = comm.broadcast(fault);
+    if (!fault.empty()) throw scene::InputError({fault});
+    return machine;
+}
+
+}  // namespace weavefront::app

@@ -1,0 +1,61 @@
+/// What parts hold and exchange, against counts by hand.
+
+#include "weavefront/partition/halo_sizes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace weavefront::test {
+namespace {
+
+/// 0 1 1
+/// 0 0 1  of two plies; four of the twelve footprint nodes are shared.
+mesh::Panel six_columns() {
+    mesh::Panel panel;
+    panel.x = {0, 1, 2, 3};
+    panel.y = {0, 1, 2};
+    panel.plies.resize(2);
+    return panel;
+}
+const partition::Decomposition two_parts{2, {0, 0, 1, 0, 1, 1}};
+
+TEST(HaloSizes, CountsSharedNodes) {
+    for (const auto& part : partition::halo_sizes(six_columns(), two_parts, 0)) {
+        EXPECT_EQ(part.columns, 3);
+        EXPECT_EQ(part.nodes, 8 * 2);
+        EXPECT_EQ(part.neighbours, 1);
+        EXPECT_EQ(part.messages, 1);
+        EXPECT_EQ(part.bytes_sent, 4 * 2 * 24);
+        EXPECT_EQ(part.bytes_received, 4 * 2 * 24);
+        EXPECT_EQ(part.ghosts, 0);
+    }
+}
+
+TEST(HaloSizes, CountsGhostsWithinReachOfTheBoundingBox) {
+    // Each part sees the four nodes that it does not hold: their positions come, forces on them go back.
+    for (const auto& part : partition::halo_sizes(six_columns(), two_parts, 0.5)) {
+        EXPECT_EQ(part.ghosts, 4 * 2);
+        EXPECT_EQ(part.messages, 2);
+        EXPECT_EQ(part.bytes_sent, (4 + 4) * 2 * 24 + 4 * 2 * 48);
+        EXPECT_EQ(part.bytes_received, part.bytes_sent);
+    }
+    // 0 | 1 | 2 in a row: only what lies within reach counts, and what touches it.
+    mesh::Panel row = six_columns();
+    row.y = {0, 1};
+    const auto sizes = partition::halo_sizes(row, {3, {0, 1, 2}}, 0.5);
+    EXPECT_EQ(sizes[0].ghosts, 2 * 2);
+    EXPECT_EQ(sizes[1].ghosts, 4 * 2);
+    EXPECT_EQ(sizes[0].neighbours, 1);
+    // Part 0 sees the far nodes of column 1, which part 2 holds as well: forces on them go to both.
+    EXPECT_EQ(sizes[0].bytes_sent, (2 + 2 * 2) * 2 * 24 + 2 * 2 * 48);
+}
+
+TEST(HaloSizes, OnePartExchangesNothing) {
+    const auto panel = six_columns();
+    const auto sizes = partition::halo_sizes(panel, {1, std::vector<std::int32_t>(6, 0)}, 10);
+    ASSERT_EQ(sizes.size(), 1U);
+    EXPECT_EQ(sizes[0].nodes, panel.nodes());
+    EXPECT_EQ(sizes[0].messages + sizes[0].bytes_sent + sizes[0].bytes_received + sizes[0].ghosts, 0);
+}
+
+}  // namespace
+}  // namespace weavefront::test

@@ -1,0 +1,44 @@
+/// What partition::halo_sizes counts is what the solver links.
+
+#include "weavefront/partition/halo_sizes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "small_scene.hpp"
+#include "weavefront/partition/cost.hpp"
+
+namespace weavefront::solver::test {
+namespace {
+
+TEST(HaloSizes, AreThoseOfTheLinks) {
+    for (const char* plies : {"1", "3"}) {
+        const auto scene = scene_with({std::string("target.plies.count=") + plies, "target.mesh.center=1 mm"});
+        const parallel::Communicator comm(MPI_COMM_WORLD);
+        const Simulation simulation(scene, comm);
+        const auto& panel = simulation.panel();
+        const auto decomposition = partition::decompose(panel, partition::column_costs(panel, scene), comm.size());
+        const auto sizes = partition::halo_sizes(panel, decomposition, ghost_reach(scene, panel));
+        const auto& mine = sizes[static_cast<std::size_t>(comm.rank())];
+
+        const auto& model = simulation.model();
+        std::int64_t sent = 0, received = 0, messages = 0;
+        const auto count = [&](const auto& links, std::int64_t bytes) {
+            for (const auto& link : links) {
+                sent += bytes * static_cast<std::int64_t>(link.send.size());
+                received += bytes * static_cast<std::int64_t>(link.receive.size());
+                messages += link.send.empty() ? 0 : 1;
+            }
+        };
+        count(model.links.forces.links(), partition::force_bytes);
+        count(model.links.ghosts.links(), partition::ghost_bytes);
+        EXPECT_EQ(mine.bytes_sent, sent);
+        EXPECT_EQ(mine.bytes_received, received);
+        EXPECT_EQ(mine.messages, messages);
+        EXPECT_EQ(mine.nodes, model.nodes.count);
+        EXPECT_EQ(mine.ghosts, static_cast<std::int64_t>(model.nodes.x.size()) - model.nodes.count);
+        EXPECT_EQ(mine.columns * static_cast<std::int64_t>(panel.plies.size()), static_cast<std::int64_t>(model.places.size()));
+    }
+}
+
+}  // namespace
+}  // namespace weavefront::solver::test

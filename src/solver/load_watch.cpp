@@ -51,8 +51,8 @@ Rebalancing decomposed(const mesh::Panel& panel, const std::vector<std::vector<C
             present.owner[static_cast<std::size_t>(cost.column)] = cost.rank;
         }
     auto next = partition::decompose(panel, weights, ranks);
-    const double now = partition::quality_of(present, panel, weights).imbalance;
-    const double predicted = partition::quality_of(next, panel, weights).imbalance;
+    const double now = partition::imbalance(present, weights);
+    const double predicted = partition::imbalance(next, weights);
     if (predicted >= now) next.owner.clear();
     return {std::move(next), 0, predicted};
 }

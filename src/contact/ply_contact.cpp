@@ -1,50 +1,17 @@
 #include "weavefront/contact/ply_contact.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "weavefront/contact/outlook.hpp"
 
 namespace weavefront::contact {
 
 namespace {
 
-// Pressures of a few GPa press two plies into each other by about their thickness; a point deeper than this has gone through a hole.
-constexpr double deepest_in_thicknesses = 4;
-
-// Both sides of a gap between plies are bilinear over an element, with edges of the other ply's elements in between: more points than this
-// along an edge resolve nothing. (The projectile's edge is finer than any element; its contact knows no such bound.)
-constexpr int most_points = 4;
-constexpr std::size_t most_batches = (most_points * most_points + batch_width - 1) / batch_width;
-
-/// Lines through the points of a batch along the smoothed normals.
-Rays rays_of(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals, const QuadratureBatch& points) {
-    Rays rays{interpolate(corners, points.N), interpolate(normals, points.N)};
-    auto& n = rays.direction;
-    for (std::size_t i = 0; i < batch_width; ++i) {
-        const double length = std::sqrt(n.x[i] * n.x[i] + n.y[i] * n.y[i] + n.z[i] * n.z[i]);
-        const double inverse = length > 0 ? 1 / length : 0;
-        n.x[i] *= inverse;
-        n.y[i] *= inverse;
-        n.z[i] *= inverse;
-    }
-    return rays;
-}
-
-/// Box around the stretches of lines on which something may be met.
-/// @param back, ahead how far they go against and along their direction, m
-void widen(Box& box, const Rays& rays, double back, double ahead) {
-    const auto stretch = [&](const Lanes& origin, const Lanes& direction, double& low, double& high) {
-        for (std::size_t i = 0; i < batch_width; ++i) {
-            const double behind = origin[i] - back * direction[i], before = origin[i] + ahead * direction[i];
-            const double lower = behind < before ? behind : before, upper = behind < before ? before : behind;
-            low = lower < low ? lower : low;
-            high = upper > high ? upper : high;
-        }
-    };
-    stretch(rays.origin.x, rays.direction.x, box.low.x(), box.high.x());
-    stretch(rays.origin.y, rays.direction.y, box.low.y(), box.high.y());
-    stretch(rays.origin.z, rays.direction.z, box.low.z(), box.high.z());
-}
+// Of the touching distance. A facet looks around again when others have approached by a skin, and a facet with less room than is worth
+// waiting for is evaluated in every step.
+constexpr double skin_in_touching = 0.5, worth_waiting_in_touching = 0.05;
 
 std::array<Lanes, 4> shape_functions(const RayHits& hits) {
     std::array<Lanes, 4> N;
@@ -67,178 +34,174 @@ Lanes closing_rates(const VectorLanes& slave, const VectorLanes& master, const V
     return rates;
 }
 
+/// The first points of a batch, as many as it has.
+LaneMask all_of(const QuadratureBatch& batch) {
+    LaneMask mask{};
+    std::fill_n(mask.begin(), batch.count, true);
+    return mask;
+}
+
 }  // namespace
 
 PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
-    : plies_(surface.plies),
-      quadrature_(spacing, most_points),
-      points_(static_cast<std::size_t>(surface.owned)),
-      reserves_(points_.size()) {
-    for (const auto& ply : plies_) {
-        most_touching_ = std::max(most_touching_, ply.thickness);
-        depth_ = std::max(depth_, depth(ply.thickness));
-        for (const auto& other : plies_)
+    : plies_(surface.plies.size()),
+      touching_(surface.plies),
+      quadrature_(spacing, most_points_along_edge),
+      approach_(surface, x),
+      watches_(static_cast<std::size_t>(surface.owned)),
+      due_(static_cast<std::size_t>(approach_.groups())),
+      memory_(watches_.size()),
+      reserves_(watches_.size()) {
+    for (const auto& ply : surface.plies)
+        for (const auto& other : surface.plies)
             laws_.emplace_back(law, ply.areal_density * other.areal_density / (ply.areal_density + other.areal_density));
-    }
-    for (std::size_t f = 0; f < points_.size(); ++f) rules_.push_back(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x)));
+    for (std::size_t f = 0; f < watches_.size(); ++f) rules_.push_back(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x)));
 }
-
-double PlyContact::depth(double thickness) { return deepest_in_thicknesses * thickness; }
 
 void PlyContact::update_candidates(const Surface& surface, std::span<const Vec3> x, double skin) {
-    candidates_ = find_candidates(surface, x, depth_ + skin);
+    candidates_ = find_candidates(surface, x, touching_.depth() + skin);
     normals_.rebuild(surface, x.size());
-    for (std::size_t f = 0; f < points_.size(); ++f)
-        if (!surface.alive[f]) points_[f] = {};
+    approach_.rebuild(surface, candidates_, x);
+    for (std::int32_t g = 0; g < approach_.groups(); ++g)
+        for (std::size_t k = 0; k < watches(g).size(); ++k) {
+            auto& watch = watches(g)[k];
+            const auto f = approach_.facets(g)[k];
+            const auto candidates = candidates_.of(f);
+            const auto ply = surface.facets[static_cast<std::size_t>(f)].ply;
+            // Candidates have new places, and through a hole a facet may meet what it was not known to be clear of.
+            const bool through_hole = !candidates.empty() && surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1;
+            if (!watch.clear || through_hole) watch = {};
+            if (!surface.alive[static_cast<std::size_t>(f)]) memory_.forget(f);
+        }
+    std::ranges::fill(due_, 0);
 }
 
-double PlyContact::touching_distance(std::int32_t ply, std::int32_t other) const {
-    const auto &a = plies_[static_cast<std::size_t>(ply)], &b = plies_[static_cast<std::size_t>(other)];
-    // Plies that lie closer than their thickness at the start touch there without pressing.
-    return std::min((a.thickness + b.thickness) / 2, b.z - a.z);
+void PlyContact::look_around(std::int32_t f, Watch& watch, double so_far, const Now& now) {
+    const auto corners = corners_of(now.surface.facets[static_cast<std::size_t>(f)].nodes, now.x);
+    const auto spanned = quadrature_.spanned(rules_[static_cast<std::size_t>(f)], corners);
+    const double skin = skin_in_touching * touching_.most(), enough = worth_waiting_in_touching * touching_.most();
+    const auto outlook = contact::look_around(f, corners, spanned, candidates_.of(f), now.surface, touching_, now.x, enough);
+    watch = {.until = so_far + skin, .first = outlook.lead > enough ? outlook.first : -1, .clear = outlook.room > 0};
+    if (watch.clear)
+        watch.until = so_far + outlook.room;
+    else if (watch.first >= 0)
+        watch.until = so_far + std::min(outlook.lead, skin);
 }
 
-/// One facet whose points look for what they touch.
-struct PlyContact::Slave {
-    std::int32_t facet;
-    const QuadratureRule& rule;
-    std::array<Vec3, 4> corners, velocities{};
-    std::array<Rays, most_batches> rays{};
-    Box stretch;  // around all that the lines may meet
-    bool touching = false;
-};
-
-PlyContact::Slave PlyContact::lines_of(std::int32_t f, const Surface& surface, std::span<const Vec3> x) {
-    const auto& nodes = surface.facets[static_cast<std::size_t>(f)].nodes;
-    constexpr double far = std::numeric_limits<double>::max();
-    Slave slave{.facet = f,
-                .rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]),
-                .corners = corners_of(nodes, x),
-                .stretch = {Vec3::Constant(far), Vec3::Constant(-far)}};
+// A point takes what it meets first in the order of near facets. Nearly always that is the first of all candidates: the others are looked
+// at where some point misses it.
+void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& now, std::vector<PairForce>& forces) {
+    const auto& facet = now.surface.facets[static_cast<std::size_t>(f)];
+    const auto& rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]);
+    const auto corners = corners_of(facet.nodes, now.x);
     std::array<Vec3, 4> normals;
-    for (std::size_t a = 0; a < 4; ++a) normals[a] = normals_.at(nodes[a], surface, x);
-    for (std::size_t b = 0; b < slave.rule.size(); ++b) {
-        slave.rays[b] = rays_of(slave.corners, normals, slave.rule[b]);
-        widen(slave.stretch, slave.rays[b], depth_, most_touching_);
+    for (std::size_t a = 0; a < 4; ++a) normals[a] = normals_.at(facet.nodes[a], now.surface, now.x);
+    FacetLines lines(rule, corners, normals, touching_.depth(), touching_.most());
+    const auto candidates = candidates_.of(f);
+    bool complete = first < 0;
+    near_.start(facet, corners);
+    near_.add(complete ? candidates : candidates.subspan(static_cast<std::size_t>(first), 1), lines, now.surface, touching_, now.x);
+    pair_of_.assign(near_.size(), -1);
+    Slave slave{.facet = f, .velocities = corners_of(facet.nodes, now.v), .points = memory_.recall(f)};
+    for (std::size_t b = 0; b < rule.size(); ++b) {
+        auto& points = slave.points[b];
+        auto open = all_of(rule[b]);
+        for (std::size_t k = 0; any(open); ++k) {
+            if (k == near_.size() && !complete) {
+                near_.add(candidates, lines, now.surface, touching_, now.x);
+                pair_of_.resize(near_.size(), -1);
+                complete = true;
+            }
+            if (k == near_.size()) break;
+            press(slave, rule[b], lines.rays[b], points, k, open, now, forces);
+        }
+        for (std::size_t i = 0; i < batch_width; ++i)
+            if (open[i]) points.present[i] = points.largest[i] = 0;
     }
-    return slave;
+    if (slave.touching)
+        memory_.keep(f, slave.points);
+    else
+        memory_.forget(f);
 }
 
-void PlyContact::find_reachable(const Surface& surface, std::int32_t f) {
-    reachable_.clear();
-    const double highest = boxes_.z_high[static_cast<std::size_t>(f)] + most_touching_;
-    for (const auto other : candidates_.of(f)) {
-        const auto o = static_cast<std::size_t>(other);
-        if (boxes_.z_low[o] <= highest && surface.alive[o]) reachable_.push_back(other);
-    }
-}
-
-void PlyContact::find_near(const Slave& slave, const Surface& surface, std::span<const Vec3> x) {
-    near_.clear();
-    const auto ply = surface.facets[static_cast<std::size_t>(slave.facet)].ply;
-    const auto& corners = slave.corners;
-    const Vec3 centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-    const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
-    double front = 0;
-    for (const auto& corner : corners) front = std::max(front, (corner - centre).dot(normal));
-    for (const auto other : reachable_) {
-        const auto o = static_cast<std::size_t>(other);
-        if (!boxes_.meet(o, slave.stretch)) continue;
-        // Seen along the normal of this facet the other must not lie wholly ahead of its foremost corner; a line at a slant only meets it
-        // later.
-        const auto other_ply = surface.facets[o].ply;
-        const auto others = corners_of(surface.facets[o].nodes, x);
-        double nearest = (others[0] - centre).dot(normal);
-        for (std::size_t c = 1; c < 4; ++c) nearest = std::min(nearest, (others[c] - centre).dot(normal));
-        if (nearest > front + touching_distance(ply, other_ply)) continue;
-        near_.push_back({other, other_ply, ((others[0] + others[1] + others[2] + others[3]) / 4 - centre).squaredNorm()});
-    }
-    std::ranges::stable_sort(near_, [](const Near& l, const Near& r) { return l.ply != r.ply ? l.ply < r.ply : l.apart < r.apart; });
-}
-
-void PlyContact::press(Slave& slave, const QuadratureBatch& points, const Rays& rays, std::size_t near, const Surface& surface,
-                       std::span<const Vec3> x, std::span<const Vec3> v, double dt, OpenPoints& open, Batch& batch,
-                       std::vector<PairForce>& forces) {
-    const auto& facet = surface.facets[static_cast<std::size_t>(slave.facet)];
-    const auto& other = surface.facets[static_cast<std::size_t>(near_[near].facet)];
-    const auto hits = meet(rays, corners_of(other.nodes, x));
-    const auto N = shape_functions(hits);
-    const auto closing = closing_rates(interpolate(slave.velocities, points.N), interpolate(corners_of(other.nodes, v), N), rays.direction);
-    const double reach = touching_distance(facet.ply, other.ply);
-    const auto& penalty = law(facet.ply, other.ply);
+void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near,
+                       LaneMask& open, const Now& now, std::vector<PairForce>& forces) {
+    const auto& facet = now.surface.facets[static_cast<std::size_t>(slave.facet)];
+    const auto& other = now.surface.facets[static_cast<std::size_t>(near_[near])];
+    const auto hits = meet(rays, corners_of(other.nodes, now.x));
+    const double reach = touching_.between(facet.ply, other.ply), depth = touching_.depth();
+    Lanes overlap;
+    LaneMask met, matters;
     for (std::size_t i = 0; i < batch_width; ++i) {
-        if (!open.lane[i] || !hits.hit[i] || hits.distance[i] < -depth_) continue;
-        open.lane[i] = false;
-        --open.count;
-        auto& point = batch.point[i];
-        const double overlap = reach - hits.distance[i];
+        overlap[i] = reach - hits.distance[i];
+        const bool meets = open[i] & hits.hit[i] & (hits.distance[i] >= -depth);
+        open[i] = open[i] & !meets;
         // A point that is already beyond the other mid-surface when first seen went through a hole: it is not pushed back.
-        if (point.present == 0 && overlap > reach) continue;
-        const double pressure =
-            penalty.advance(point, overlap, closing[i], dt, points.share[i], reserves_[static_cast<std::size_t>(slave.facet)]);
-        slave.touching = slave.touching || point.present > 0;
-        if (!(pressure > 0)) continue;
+        met[i] = meets & ((points.present[i] != 0) | (overlap[i] <= reach));
+        matters[i] = met[i] & ((points.present[i] != 0) | (overlap[i] > 0));
+    }
+    if (!any(matters)) return;
+    const auto N = shape_functions(hits);
+    const auto closing =
+        closing_rates(interpolate(slave.velocities, batch.N), interpolate(corners_of(other.nodes, now.v), N), rays.direction);
+    const auto pressure =
+        law(facet.ply, other.ply)
+            .advance(points, met, overlap, closing, now.dt, batch.share, reserves_[static_cast<std::size_t>(slave.facet)]);
+    for (std::size_t i = 0; i < batch_width; ++i) {
+        slave.touching = slave.touching || (met[i] && points.present[i] > 0);
+        if (!(pressure[i] > 0)) continue;
         auto& pair = pair_of_[near];
         if (pair < 0) {
             pair = static_cast<std::int32_t>(forces.size());
             forces.emplace_back(facet.nodes, other.nodes);
         }
-        const double size = -pressure * surface.areas[static_cast<std::size_t>(slave.facet)] * points.share[i];
+        const double size = -pressure[i] * now.surface.areas[static_cast<std::size_t>(slave.facet)] * batch.share[i];
         const Vec3 force(size * rays.direction.x[i], size * rays.direction.y[i], size * rays.direction.z[i]);
-        forces[static_cast<std::size_t>(pair)].add(force, points.N, N, i);
+        forces[static_cast<std::size_t>(pair)].add(force, batch.N, N, i);
     }
 }
 
-bool PlyContact::evaluate_facet(std::int32_t f, const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                                std::vector<PairForce>& forces) {
-    auto slave = lines_of(f, surface, x);
-    find_near(slave, surface, x);
-    if (near_.empty()) return false;
-    slave.velocities = corners_of(surface.facets[static_cast<std::size_t>(f)].nodes, v);
-    auto& points = points_[static_cast<std::size_t>(f)];
-    std::array<Batch, most_batches> batches{};
-    std::ranges::copy(points, batches.begin());
-    pair_of_.assign(near_.size(), -1);
-    for (std::size_t b = 0; b < slave.rule.size(); ++b) {
-        OpenPoints open{{}, slave.rule[b].count};
-        std::fill_n(open.lane.begin(), open.count, true);
-        for (std::size_t k = 0; k < near_.size() && open.count > 0; ++k)
-            press(slave, slave.rule[b], slave.rays[b], k, surface, x, v, dt, open, batches[b], forces);
-        for (std::size_t i = 0; i < batch_width; ++i)
-            if (open.lane[i]) batches[b].point[i] = {};
+void PlyContact::evaluate_group(std::int32_t g, const Now& now, std::vector<PairForce>& forces) {
+    const double so_far = approach_.so_far(g);
+    auto& due = due_[static_cast<std::size_t>(g)];
+    if (so_far < due) return;
+    due = std::numeric_limits<double>::max();
+    for (std::size_t k = 0; k < watches(g).size(); ++k) {
+        auto& watch = watches(g)[k];
+        const auto f = approach_.facets(g)[k];
+        if (!now.surface.alive[static_cast<std::size_t>(f)]) continue;
+        if (so_far >= watch.until) look_around(f, watch, so_far, now);
+        if (!watch.clear || memory_.holds(f)) {
+            evaluate_facet(f, watch.first, now, forces);
+            watch.clear = watch.clear && !memory_.holds(f);
+        }
+        due = std::min(due, watch.clear ? watch.until : so_far);
     }
-    if (slave.touching) points.assign(batches.begin(), batches.begin() + static_cast<std::ptrdiff_t>(slave.rule.size()));
-    return slave.touching;
 }
 
 void PlyContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                           std::vector<PairForce>& forces) {
     normals_.new_positions();
-    boxes_.update(surface, x);
-    for (std::int32_t f = 0; f < surface.owned; ++f) {
-        if (!surface.alive[static_cast<std::size_t>(f)]) continue;
-        find_reachable(surface, f);
-        if (reachable_.empty() || !evaluate_facet(f, surface, x, v, dt, forces)) points_[static_cast<std::size_t>(f)].clear();
-    }
+    approach_.advance(v, dt);
+    for (std::int32_t g = 0; g < approach_.groups(); ++g) evaluate_group(g, {surface, x, v, dt}, forces);
 }
 
 void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {
-    const auto f = static_cast<std::size_t>(facet);
-    record.insert(record.end(), {reserves_[f], static_cast<double>(points_[f].size())});
-    for (const auto& batch : points_[f])
-        for (const auto& point : batch.point) record.insert(record.end(), {point.present, point.largest});
+    record.insert(record.end(), {reserves_[static_cast<std::size_t>(facet)], memory_.holds(facet) ? 1.0 : 0.0});
+    if (!memory_.holds(facet)) return;
+    for (const auto& points : memory_.recall(facet))
+        for (const auto* lanes : {&points.present, &points.largest}) record.insert(record.end(), lanes->of, lanes->of + batch_width);
 }
 
 std::span<const double> PlyContact::restore(std::int32_t facet, std::span<const double> record) {
-    const auto f = static_cast<std::size_t>(facet);
     auto next = record.begin();
-    reserves_[f] = *next++;
-    points_[f].resize(static_cast<std::size_t>(*next++));
-    for (auto& batch : points_[f])
-        for (auto& point : batch.point) {
-            point.present = *next++;
-            point.largest = *next++;
-        }
+    reserves_[static_cast<std::size_t>(facet)] = *next++;
+    if (*next++ == 0) return {next, record.end()};
+    FacetPoints all;
+    for (auto& points : all)
+        for (auto* lanes : {&points.present, &points.largest})
+            for (auto& value : lanes->of) value = *next++;
+    memory_.keep(facet, all);
     return {next, record.end()};
 }
 

@@ -54,4 +54,15 @@ std::int32_t Quadrature::rule_for(const std::array<Vec3, 4>& corners) {
     return static_cast<std::int32_t>(found - rules_.begin());
 }
 
+std::array<Vec3, 4> Quadrature::spanned(std::int32_t index, const std::array<Vec3, 4>& corners) const {
+    const auto& rule = rules_[static_cast<std::size_t>(index)];
+    const auto outermost = [](int n) { return n == 0 ? 1 : 1 - 1.0 / n; };
+    const double xi = outermost(rule.n), eta = outermost(rule.m);
+    const auto& c = corners;
+    const Vec3 middle = (c[0] + c[1] + c[2] + c[3]) / 4, along = (c[1] + c[2] - c[0] - c[3]) * (xi / 4),
+               across = (c[2] + c[3] - c[0] - c[1]) * (eta / 4), twist = (c[0] + c[2] - c[1] - c[3]) * (xi * eta / 4);
+    return {middle - along - across + twist, middle + along - across - twist, middle + along + across + twist,
+            middle - along + across - twist};
+}
+
 }  // namespace weavefront::contact

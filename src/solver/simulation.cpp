@@ -59,7 +59,7 @@ double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel) {
     double thickest = 0;
     for (const auto& ply : panel.plies)
         thickest = std::max(thickest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].contact_thickness);
-    return contact::PlyContact::depth(thickest) + skin_in_edges * panel.smallest_edge();
+    return contact::Touching::depth_of(thickest) + skin_in_edges * panel.smallest_edge();
 }
 
 Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& comm)

@@ -201,5 +201,37 @@ TEST(PenaltyLaw, DampsAFractionOfCritical) {
     EXPECT_NEAR(pressure, k * speed * dt + 2 * fraction * std::sqrt(k * density) * speed, 1e-12 * pressure);
 }
 
+TEST(PenaltyLaw, PointsOfABatchAdvanceOneAfterTheOther) {
+    const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = 0.2}, 0.1);
+    std::mt19937_64 random(21);
+    const auto random_number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    contact::PenetrationLanes points;
+    std::array<Penetration, contact::batch_width> one_by_one{};
+    double reserve = 0, expected_reserve = 0;
+    int healed = 0;
+    for (int step = 0; step < 300; ++step) {
+        contact::Lanes geometric, closing, share;
+        contact::LaneMask met;
+        for (std::size_t i = 0; i < contact::batch_width; ++i) {
+            geometric[i] = random_number(-G / 4, G), closing[i] = random_number(-50, 50), share[i] = 0.125;
+            met[i] = random_number(0, 1) < 0.8;
+        }
+        const auto pressure = law.advance(points, met, geometric, closing, 1e-7, share, reserve);
+        for (std::size_t i = 0; i < contact::batch_width; ++i) {
+            if (!met[i]) {
+                ASSERT_EQ(pressure[i], 0);
+                continue;
+            }
+            const double before = one_by_one[i].present + closing[i] * 1e-7;
+            ASSERT_EQ(pressure[i], law.advance(one_by_one[i], geometric[i], closing[i], 1e-7, share[i], expected_reserve));
+            healed += one_by_one[i].present > std::max(before, 0.0);
+            ASSERT_EQ(points.present[i], one_by_one[i].present);
+            ASSERT_EQ(points.largest[i], one_by_one[i].largest);
+        }
+        ASSERT_EQ(reserve, expected_reserve);
+    }
+    EXPECT_GT(healed, 0);
+}
+
 }  // namespace
 }  // namespace weavefront::test

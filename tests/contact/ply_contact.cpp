@@ -89,6 +89,39 @@ TEST(PlyContact, ThroughAHoleThePlyBehindIsMet) {
     EXPECT_NEAR(assemble(forces, plies.x).on_slaves.z() / -(k * overlap * side * side), 1, 1e-9);
 }
 
+// Facets wait until others may have come near. A contact made anew has waited for nothing.
+TEST(PlyContact, IsFoundInTheStepInWhichItBegins) {
+    constexpr double dt = 1e-7;
+    std::mt19937_64 random(17);
+    for (int pass = 0; pass < 20; ++pass) {
+        Plies plies;
+        plies.add(12, ply_at(0), flat(side, 0));
+        plies.add(10, ply_at(gap), [&](double u, double v) { return flat(side, gap + uniform(random, 0, 0.1e-3))(u, v); });
+        const std::size_t moving = 13 * 13;
+        const Vec3 spin(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
+        Positions v(plies.x.size());
+        const double bulge = uniform(random, 10, 60), common = uniform(random, -200, 200);
+        for (std::size_t n = 0; n < v.size(); ++n) {
+            v[n] = Vec3(0, 0, common) + 3e3 * spin.cross(plies.x[n]);
+            if (n < moving) v[n].z() += bulge * std::exp(-plies.x[n].squaredNorm() / (4e-6));
+        }
+        PlyContact contact(elastic, 0.25e-3, plies.surface, plies.x);
+        contact.update_candidates(plies.surface, plies.x, side);
+        bool touched = false;
+        for (int step = 0; step < 200 && !touched; ++step) {
+            for (std::size_t n = 0; n < v.size(); ++n) plies.x[n] += dt * v[n];
+            std::vector<contact::PairForce> forces, expected;
+            contact.evaluate(plies.surface, plies.x, v, dt, forces);
+            PlyContact anew(elastic, 0.25e-3, plies.surface, plies.x);
+            anew.update_candidates(plies.surface, plies.x, side);
+            anew.evaluate(plies.surface, plies.x, v, dt, expected);
+            ASSERT_EQ(forces.size(), expected.size()) << "pass " << pass << ", step " << step;
+            touched = !expected.empty();
+        }
+        EXPECT_TRUE(touched) << pass;
+    }
+}
+
 TEST(PlyContact, PliesThatTouchAtTheStartDoNotPush) {
     Plies plies;
     plies.add(4, ply_at(0), flat(side, 0));

@@ -4,7 +4,9 @@
 /// same points of the same facet, so what a lane yields may depend on the others and is still the same on every rank.
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 #include "weavefront/mesh/vec3.hpp"
 
@@ -19,6 +21,11 @@ struct alignas(64) Lanes {
     double& operator[](std::size_t i) { return of[i]; }
     double operator[](std::size_t i) const { return of[i]; }
 };
+
+/// One yes or no per point.
+using LaneMask = std::array<bool, batch_width>;
+
+inline bool any(const LaneMask& mask) { return std::bit_cast<std::uint64_t>(mask) != 0; }
 
 /// One vector per point.
 struct VectorLanes {

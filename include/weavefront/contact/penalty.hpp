@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "weavefront/contact/lanes.hpp"
 #include "weavefront/scene/scene.hpp"
 
 namespace weavefront::contact {
@@ -14,6 +16,11 @@ namespace weavefront::contact {
 struct Penetration {
     double present = 0;  ///< g, m; 0: not in contact
     double largest = 0;  ///< since it came into contact, m
+};
+
+/// What the points of a batch remember.
+struct PenetrationLanes {
+    Lanes present{}, largest{};
 };
 
 /// Pressure over penetration: loading along k g; unloading from the largest penetration, and reloading, along the slope u k; never tensile.
@@ -40,21 +47,44 @@ class PenaltyLaw {
     /// @param share     of the facet's area that the point stands for
     /// @param reserve   what contact has dissipated in the facet and not yet spent on healing, J/m2
     [[nodiscard]] double advance(Penetration& point, double geometric, double closing, double dt, double share, double& reserve) const {
-        const auto before = point;
-        point.present = std::max(std::min(geometric, point.present + closing * dt), 0.0);
-        point.largest = std::max(point.largest, point.present);
-        // The work of a step is that of the mean of the pressures at its ends.
-        const double work = (elastic_pressure(before) + elastic_pressure(point)) / 2 * closing * dt;
-        reserve += share * (work - (recoverable(point) - recoverable(before)));
-        if (geometric > point.present) heal(point, geometric, closing, dt, share, reserve);
-        if (!(point.present > 0)) {
-            point = {};
-            return 0;
+        const auto step = step_of(point, geometric, closing, dt, share);
+        reserve += step.dissipated;
+        const bool heals = !(step.cost > reserve);
+        if (heals) reserve -= step.cost;
+        const auto& end = heals ? step.healed : step.loaded;
+        reserve += end.damped;
+        point = end.point;
+        return end.pressure;
+    }
+
+    /// The same for the points of a batch in their order; those that have not met anything stay as they are and have no pressure.
+    [[nodiscard]] Lanes advance(PenetrationLanes& points, const LaneMask& met, const Lanes& geometric, const Lanes& closing, double dt,
+                                const Lanes& share, double& reserve) const {
+        struct EndLanes {
+            Lanes present, largest, pressure, damped;
+            void set(std::size_t i, const End& end) {
+                present[i] = end.point.present, largest[i] = end.point.largest, pressure[i] = end.pressure, damped[i] = end.damped;
+            }
+        };
+        EndLanes loaded, healed;
+        Lanes dissipated, cost;
+        for (std::size_t i = 0; i < batch_width; ++i) {
+            const auto step = step_of({points.present[i], points.largest[i]}, geometric[i], closing[i], dt, share[i]);
+            loaded.set(i, step.loaded);
+            healed.set(i, step.healed);
+            dissipated[i] = step.dissipated, cost[i] = step.cost;
         }
-        const double elastic = elastic_pressure(point);
-        if (!(elastic > 0)) return 0;
-        const double pressure = std::max(elastic + damping_ * closing, 0.0);
-        reserve += share * (pressure - elastic) * closing * dt;
+        Lanes pressure;
+        for (std::size_t i = 0; i < batch_width; ++i) {
+            pressure[i] = 0;
+            if (!met[i]) continue;
+            reserve += dissipated[i];
+            const bool heals = !(cost[i] > reserve);
+            if (heals) reserve -= cost[i];
+            const auto& end = heals ? healed : loaded;
+            reserve += end.damped[i];
+            points.present[i] = end.present[i], points.largest[i] = end.largest[i], pressure[i] = end.pressure[i];
+        }
         return pressure;
     }
 
@@ -62,6 +92,45 @@ class PenaltyLaw {
     // An overlap heals within this many periods of two plies on the unloading line of the contact: so slowly that they are moved apart by
     // pressures far below those that made it, and within some 20 us for stiffnesses of fabric, a fraction of an impact.
     static constexpr double healing_periods = 100;
+
+    /// A point at the end of a step.
+    struct End {
+        Penetration point;
+        double pressure;  ///< Pa
+        double damped;    ///< by the facet's point, J/m2
+    };
+    /// A step of a point, with healing and without.
+    struct Step {
+        double dissipated;  ///< by hysteresis, J/m2
+        double cost;        ///< of healing, J/m2; infinite where the penetration does not stay behind the geometry
+        End loaded, healed;
+    };
+
+    [[nodiscard]] Step step_of(const Penetration& before, double geometric, double closing, double dt, double share) const {
+        Penetration point;
+        point.present = std::max(std::min(geometric, before.present + closing * dt), 0.0);
+        point.largest = std::max(before.largest, point.present);
+        // The work of a step is that of the mean of the pressures at its ends.
+        const double work = (elastic_pressure(before) + elastic_pressure(point)) / 2 * closing * dt;
+        Penetration healed = point;
+        healed.present += std::min(healing_rate_ * dt, 1.0) * (geometric - point.present);
+        healed.largest = std::max(healed.largest, healed.present);
+        const double opened = std::max(-closing * dt, 0.0), added = elastic_pressure(healed) - elastic_pressure(point);
+        const double cost = share * (recoverable(healed) - recoverable(point) + added * opened / 2);
+        return {.dissipated = share * (work - (recoverable(point) - recoverable(before))),
+                .cost = geometric > point.present ? cost : std::numeric_limits<double>::infinity(),
+                .loaded = end_of(point, closing, dt, share),
+                .healed = end_of(healed, closing, dt, share)};
+    }
+
+    [[nodiscard]] End end_of(const Penetration& point, double closing, double dt, double share) const {
+        const double present = point.present, largest = point.largest;
+        const double elastic = present > 0 ? elastic_pressure(point) : 0.0, pressure = std::max(elastic + damping_ * closing, 0.0);
+        const double damped = share * (pressure - elastic) * closing * dt;
+        return {.point = {present > 0 ? present : 0.0, present > 0 ? largest : 0.0},
+                .pressure = elastic > 0 ? pressure : 0.0,
+                .damped = elastic > 0 ? damped : 0.0};
+    }
 
     [[nodiscard]] double elastic_pressure(const Penetration& point) const {
         const double residual = point.largest * (1 - 1 / unloading_);
@@ -72,17 +141,6 @@ class PenaltyLaw {
     [[nodiscard]] double recoverable(const Penetration& point) const {
         const double pressure = elastic_pressure(point);
         return pressure * pressure / (2 * unloading_ * stiffness_);
-    }
-
-    void heal(Penetration& point, double geometric, double closing, double dt, double share, double& reserve) const {
-        Penetration healed = point;
-        healed.present += std::min(healing_rate_ * dt, 1.0) * (geometric - point.present);
-        healed.largest = std::max(healed.largest, healed.present);
-        const double opened = std::max(-closing * dt, 0.0), added = elastic_pressure(healed) - elastic_pressure(point);
-        const double cost = share * (recoverable(healed) - recoverable(point) + added * opened / 2);
-        if (cost > reserve) return;
-        reserve -= cost;
-        point = healed;
     }
 
     double stiffness_, unloading_, damping_;

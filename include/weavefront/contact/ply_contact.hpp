@@ -7,18 +7,23 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/contact/approach.hpp"
 #include "weavefront/contact/candidates.hpp"
-#include "weavefront/contact/facet_boxes.hpp"
+#include "weavefront/contact/facet_lines.hpp"
+#include "weavefront/contact/near_facets.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/penalty.hpp"
+#include "weavefront/contact/point_memory.hpp"
 #include "weavefront/contact/quadrature.hpp"
-#include "weavefront/contact/ray.hpp"
 #include "weavefront/contact/surface.hpp"
+#include "weavefront/contact/touching.hpp"
 
 namespace weavefront::contact {
 
 /// Integration points of a facet look along the smoothed normal of their ply for the next ply that is not eroded there. The force acts
 /// along that line on both sides, so momentum and angular momentum stay as they are.
+///
+/// A facet that cannot touch anything before others have approached by some distance is left alone until they have.
 class PlyContact {
   public:
     /// @param x initial positions, m
@@ -29,65 +34,67 @@ class PlyContact {
     void update_candidates(const Surface& surface, std::span<const Vec3> x, double skin);
 
     /// Appends the forces at the present positions.
-    /// @param v  velocities over the last step, m/s
+    /// @param v  velocities over the last step, m/s: nodes have moved by `dt` times these since the last call
     /// @param dt the last step, s
     void evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::vector<PairForce>& forces);
 
-    /// Whether any point of an owned facet remembers a penetration, or may soon.
-    [[nodiscard]] bool touches(std::int32_t facet) const { return !points_[static_cast<std::size_t>(facet)].empty(); }
+    /// Whether any point of an owned facet remembers a penetration.
+    [[nodiscard]] bool touches(std::int32_t facet) const { return memory_.holds(facet); }
     /// Memory of the points of an owned facet, to be taken up on another rank.
     void save(std::int32_t facet, std::vector<double>& record) const;
     /// @param record of `save`, with anything after it. @return what comes after it
     std::span<const double> restore(std::int32_t facet, std::span<const double> record);
 
     /// How far apart footprints may be and still matter, m, without the skin.
-    [[nodiscard]] double reach() const { return depth_; }
-
-    /// Overlaps deeper than this are not looked for, m. @param thickness of the thickest ply, m
-    static double depth(double thickness);
+    [[nodiscard]] double reach() const { return touching_.depth(); }
 
   private:
-    /// A facet that may touch the one at hand.
-    struct Near {
-        std::int32_t facet, ply;
-        double apart;  ///< of the centres, m2
+    /// Until when what a facet knows of its candidates holds.
+    struct Watch {
+        double until = 0;         ///< as bounded by Approach, m
+        std::int32_t first = -1;  ///< the candidate to try first; -1: not known
+        bool clear = false;       ///< it touches nothing
     };
-    /// The points of a facet, eight by eight.
-    struct Batch {
-        std::array<Penetration, batch_width> point;
+    /// Where and when.
+    struct Now {
+        const Surface& surface;
+        std::span<const Vec3> x, v;
+        double dt;
     };
-    /// The points of a batch that have met nothing yet.
-    struct OpenPoints {
-        std::array<bool, batch_width> lane;
-        std::size_t count;
+    /// The points of a facet and what they meet.
+    struct Slave {
+        std::int32_t facet;
+        std::array<Vec3, 4> velocities;
+        FacetPoints points;
+        bool touching = false;
     };
-    struct Slave;
-    [[nodiscard]] double touching_distance(std::int32_t ply, std::int32_t other) const;
-    void find_reachable(const Surface& surface, std::int32_t facet);
-    [[nodiscard]] Slave lines_of(std::int32_t facet, const Surface& surface, std::span<const Vec3> x);
-    void find_near(const Slave& slave, const Surface& surface, std::span<const Vec3> x);
-    bool evaluate_facet(std::int32_t facet, const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                        std::vector<PairForce>& forces);
-    void press(Slave& slave, const QuadratureBatch& points, const Rays& rays, std::size_t near, const Surface& surface,
-               std::span<const Vec3> x, std::span<const Vec3> v, double dt, OpenPoints& open, Batch& batch, std::vector<PairForce>& forces);
+    [[nodiscard]] std::span<Watch> watches(std::int32_t group) {
+        return std::span(watches_).subspan(approach_.before(group), approach_.facets(group).size());
+    }
+    void evaluate_group(std::int32_t group, const Now& now, std::vector<PairForce>& forces);
+    void look_around(std::int32_t facet, Watch& watch, double so_far, const Now& now);
+    void evaluate_facet(std::int32_t facet, std::int32_t first, const Now& now, std::vector<PairForce>& forces);
+    void press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near, LaneMask& open,
+               const Now& now, std::vector<PairForce>& forces);
     [[nodiscard]] const PenaltyLaw& law(std::int32_t ply, std::int32_t other) const {
-        return laws_[static_cast<std::size_t>(ply) * plies_.size() + static_cast<std::size_t>(other)];
+        return laws_[static_cast<std::size_t>(ply) * plies_ + static_cast<std::size_t>(other)];
     }
 
-    std::vector<PlyProperties> plies_;
+    std::size_t plies_;
+    Touching touching_;
     std::vector<PenaltyLaw> laws_;  ///< by the two plies
-    double most_touching_ = 0;      ///< largest distance at which plies touch, m
-    double depth_ = 0;              ///< overlaps deeper than this are not looked for, m
     Quadrature quadrature_;
-    std::vector<std::int32_t> rules_;  ///< of the owned facets
     Candidates candidates_;
+    Approach approach_;
     NodalNormals normals_;
-    FacetBoxes boxes_;                        ///< now
-    std::vector<std::int32_t> reachable_;     ///< candidates of the facet at hand that do not lie wholly beyond reach along z
-    std::vector<Near> near_;                  ///< nearest ply first, in it the nearest centre first
-    std::vector<std::int32_t> pair_of_;       ///< of each of `near_`: its place among the forces, or -1
-    std::vector<std::vector<Batch>> points_;  ///< of the owned facets; empty where they do not touch
-    std::vector<double> reserves_;            ///< of the owned facets, J/m2: see PenaltyLaw
+    NearFacets near_;                    ///< of the facet at hand
+    std::vector<std::int32_t> pair_of_;  ///< of each of `near_`: its place among the forces, or -1
+    std::vector<Watch> watches_;         ///< of the owned facets, group by group
+    std::vector<double> due_;            ///< of each group: when its first facet has to be looked at, as bounded by Approach, m
+    // of the owned facets
+    std::vector<std::int32_t> rules_;
+    PointMemory memory_;
+    std::vector<double> reserves_;  ///< J/m2: see PenaltyLaw
 };
 
 }  // namespace weavefront::contact

@@ -37,6 +37,9 @@ class Quadrature {
 
     [[nodiscard]] const QuadratureRule& rule(std::int32_t index) const { return rules_[static_cast<std::size_t>(index)].points; }
 
+    /// Corners of the part of an element that its points span. @param corners of the element, m
+    [[nodiscard]] std::array<Vec3, 4> spanned(std::int32_t index, const std::array<Vec3, 4>& corners) const;
+
   private:
     struct Rule {
         int n, m;

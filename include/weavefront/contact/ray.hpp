@@ -16,9 +16,9 @@ struct Rays {
 
 /// What the lines meet.
 struct RayHits {
-    std::array<bool, batch_width> hit{};
-    Lanes xi{}, eta{};  ///< parent coordinates of the facet
-    Lanes distance{};   ///< along the direction, m; negative when the facet lies behind
+    LaneMask hit;
+    Lanes xi, eta;   ///< parent coordinates of the facet
+    Lanes distance;  ///< along the direction, m; negative when the facet lies behind
 };
 
 /// Meets the bilinear facet, whose normal must not point against the direction of a line. A point on the edge between two facets is found

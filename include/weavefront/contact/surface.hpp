@@ -44,6 +44,10 @@ struct Box {
         const auto at = [&](std::size_t a) -> const Vec3& { return x[static_cast<std::size_t>(facet.nodes[a])]; };
         return {at(0).cwiseMin(at(1)).cwiseMin(at(2).cwiseMin(at(3))), at(0).cwiseMax(at(1)).cwiseMax(at(2).cwiseMax(at(3)))};
     }
+
+    [[nodiscard]] bool meets(const Box& other) const {
+        return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
+    }
 };
 
 /// What a facet presses on.
@@ -82,5 +86,8 @@ inline std::array<Vec3, 4> corners_of(const std::array<std::int32_t, 4>& nodes, 
     return {values[static_cast<std::size_t>(nodes[0])], values[static_cast<std::size_t>(nodes[1])],
             values[static_cast<std::size_t>(nodes[2])], values[static_cast<std::size_t>(nodes[3])]};
 }
+
+/// Mean of the corners of a facet.
+inline Vec3 centre_of(const std::array<Vec3, 4>& corners) { return (corners[0] + corners[1] + corners[2] + corners[3]) / 4; }
 
 }  // namespace weavefront::contact

@@ -1,0 +1,41 @@
+#pragma once
+/// @file
+/// Facets that the lines of a facet try.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "weavefront/contact/facet_lines.hpp"
+#include "weavefront/contact/surface.hpp"
+#include "weavefront/contact/touching.hpp"
+
+namespace weavefront::contact {
+
+/// In the order in which lines try them: nearest ply first, in it the nearest centre first.
+class NearFacets {
+  public:
+    /// Starts with none, for another facet at hand. @param corners of the facet, m
+    void start(const Facet& facet, const std::array<Vec3, 4>& corners);
+
+    /// Adds what of some candidates its lines may touch. The one that is there already stays the first.
+    void add(std::span<const std::int32_t> candidates, FacetLines& lines, const Surface& surface, const Touching& touching,
+             std::span<const Vec3> x);
+
+    [[nodiscard]] std::size_t size() const { return near_.size(); }
+    [[nodiscard]] std::int32_t operator[](std::size_t k) const { return near_[k].facet; }
+
+  private:
+    struct Near {
+        std::int32_t facet, ply;
+        double apart;  ///< of the centres, m2
+    };
+    std::int32_t ply_ = 0;
+    Vec3 centre_, normal_;
+    double front_ = 0;  ///< of the facet's foremost corner along its normal, m
+    std::vector<Near> near_;
+};
+
+}  // namespace weavefront::contact

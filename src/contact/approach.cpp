@@ -1,0 +1,64 @@
+#include "weavefront/contact/approach.hpp"
+
+#include <algorithm>
+
+namespace weavefront::contact {
+
+namespace {
+
+VelocityBox box_around(std::span<const std::int32_t> nodes, std::span<const Vec3> v) {
+    using Plane = Eigen::Array2d;
+    const auto& first = v[static_cast<std::size_t>(nodes[0])];
+    Plane low = first.head<2>(), high = low;
+    double low_z = first.z(), high_z = low_z;
+    for (const auto node : nodes) {
+        const auto& of_node = v[static_cast<std::size_t>(node)];
+        const Plane plane = of_node.head<2>();
+        low = low.min(plane);
+        high = high.max(plane);
+        low_z = of_node.z() < low_z ? of_node.z() : low_z;
+        high_z = of_node.z() > high_z ? of_node.z() : high_z;
+    }
+    return {{low.x(), low.y(), low_z, 0}, {-high.x(), -high.y(), -high_z, 0}};
+}
+
+}  // namespace
+
+Approach::Approach(const Surface& surface, std::span<const Vec3> x) {
+    groups_.group(surface, x, 0, surface.owned);
+    so_far_.assign(static_cast<std::size_t>(groups_.count()), 0);
+}
+
+void Approach::rebuild(const Surface& surface, const Candidates& candidates, std::span<const Vec3> x) {
+    groups_.group(surface, x, surface.owned, static_cast<std::int32_t>(surface.facets.size()));
+    boxes_.resize(static_cast<std::size_t>(groups_.count()));
+    first_.assign(1, 0);
+    meeting_.clear();
+    for (std::int32_t g = 0; g < groups(); ++g) {
+        const auto start = first_.back();
+        for (const auto f : groups_.facets(g))
+            for (const auto other : candidates.of(f)) {
+                const auto group = groups_.of(other);
+                if (std::find(meeting_.begin() + start, meeting_.end(), group) == meeting_.end()) meeting_.push_back(group);
+            }
+        first_.push_back(static_cast<std::int32_t>(meeting_.size()));
+    }
+}
+
+void Approach::advance(std::span<const Vec3> v, double dt) {
+    for (std::int32_t g = 0; g < groups_.count(); ++g) {
+        for (const auto node : groups_.nodes(std::min(g + 2, groups_.count() - 1))) __builtin_prefetch(&v[static_cast<std::size_t>(node)]);
+        boxes_[static_cast<std::size_t>(g)] = box_around(groups_.nodes(g), v);
+    }
+    for (std::size_t g = 0; g < so_far_.size(); ++g) {
+        auto [low, opposite] = boxes_[g];
+        for (auto k = first_[g]; k < first_[g + 1]; ++k) {
+            const auto& other = boxes_[static_cast<std::size_t>(meeting_[static_cast<std::size_t>(k)])];
+            low = low.min(other.low);
+            opposite = opposite.min(other.opposite);
+        }
+        so_far_[g] += dt * (low + opposite).matrix().norm();
+    }
+}
+
+}  // namespace weavefront::contact

@@ -1,0 +1,65 @@
+#include "weavefront/contact/facet_groups.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace weavefront::contact {
+
+namespace {
+
+constexpr std::size_t most_facets = 16;
+
+}  // namespace
+
+void FacetGroups::group(const Surface& surface, std::span<const Vec3> x, std::int32_t first, std::int32_t end) {
+    while (!facets_.empty() && first_.size() > 1 && first_.back() > first) {
+        first_.pop_back();
+        first_node_.pop_back();
+    }
+    facets_.resize(static_cast<std::size_t>(first_.back()));
+    nodes_.resize(static_cast<std::size_t>(first_node_.back()));
+    group_of_.resize(static_cast<std::size_t>(end));
+    std::vector<std::int32_t> facets(static_cast<std::size_t>(end - first));
+    std::iota(facets.begin(), facets.end(), first);
+    const auto ply_of = [&](std::int32_t f) { return surface.facets[static_cast<std::size_t>(f)].ply; };
+    std::ranges::stable_sort(facets, {}, ply_of);
+    std::vector<Vec3> centres(static_cast<std::size_t>(end));
+    for (const auto f : facets) {
+        const auto c = corners_of(surface.facets[static_cast<std::size_t>(f)].nodes, x);
+        centres[static_cast<std::size_t>(f)] = (c[0] + c[1] + c[2] + c[3]) / 4;
+    }
+    for (auto ply = facets.begin(); ply != facets.end();) {
+        const auto next = std::find_if(ply, facets.end(), [&](std::int32_t f) { return ply_of(f) != ply_of(*ply); });
+        split(surface, centres, {ply, next});
+        ply = next;
+    }
+}
+
+void FacetGroups::split(const Surface& surface, const std::vector<Vec3>& centres, std::span<std::int32_t> facets) {
+    const auto centre = [&](std::int32_t f) -> const Vec3& { return centres[static_cast<std::size_t>(f)]; };
+    if (facets.size() > most_facets) {
+        Vec3 low = centre(facets[0]), high = low;
+        for (const auto f : facets) low = low.cwiseMin(centre(f)), high = high.cwiseMax(centre(f));
+        Eigen::Index longest = 0;
+        (high - low).maxCoeff(&longest);
+        const auto half = facets.size() / 2;
+        std::ranges::nth_element(facets, facets.begin() + static_cast<std::ptrdiff_t>(half), {},
+                                 [&](std::int32_t f) { return centre(f)[longest]; });
+        split(surface, centres, facets.first(half));
+        split(surface, centres, facets.subspan(half));
+        return;
+    }
+    const auto begin = static_cast<std::ptrdiff_t>(nodes_.size());
+    for (const auto f : facets) {
+        group_of_[static_cast<std::size_t>(f)] = count();
+        const auto& nodes = surface.facets[static_cast<std::size_t>(f)].nodes;
+        nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+    }
+    std::sort(nodes_.begin() + begin, nodes_.end());
+    nodes_.erase(std::unique(nodes_.begin() + begin, nodes_.end()), nodes_.end());
+    facets_.insert(facets_.end(), facets.begin(), facets.end());
+    first_.push_back(static_cast<std::int32_t>(facets_.size()));
+    first_node_.push_back(static_cast<std::int32_t>(nodes_.size()));
+}
+
+}  // namespace weavefront::contact

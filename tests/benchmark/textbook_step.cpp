@@ -15,10 +15,15 @@ constexpr std::int32_t packs_at_once = 64;
 constexpr std::int64_t steps_between_checks = 5;
 constexpr double worth_raising = 1.05;
 
+solver::Model at_rest(const scene::Scene& scene, const parallel::Communicator& comm) {
+    const auto panel = mesh::make_panel(scene);
+    return solver::build_model(scene, panel, solver::initial_decomposition(scene, panel, comm), comm);
+}
+
 }  // namespace
 
 TextbookStep::TextbookStep(const scene::Scene& scene, const parallel::Communicator& comm)
-    : safety_(scene.time.safety), model_(solver::build_model(scene, mesh::make_panel(scene), comm)) {
+    : safety_(scene.time.safety), model_(at_rest(scene, comm)) {
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     adapt_time_step();
 }

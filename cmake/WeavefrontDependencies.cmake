@@ -6,6 +6,9 @@ find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+if(WEAVEFRONT_TESTS)
+    find_package(benchmark REQUIRED)
+endif()
 
 # FindHDF5 needs the C language enabled.
 set(HDF5_PREFER_PARALLEL ON)

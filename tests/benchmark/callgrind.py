@@ -58,3 +58,19 @@ def count(command, launcher=(), within=None):
         if done.returncode:
             sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
         return [read(path, inclusive=within is None) for path in sorted(Path(folder).iterdir())], done.stdout
+
+
+def traffic(command, within, cache="1048576,16,64"):
+    """Runs the command on a simulated cache; instructions, and bytes read into that cache and written back from it.
+
+    cache  size, associativity, line: the last level; nothing behind it is simulated"""
+    levels = [f"--{level}=32768,8,64" for level in ("I1", "D1")]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "out"
+        tool = ["valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={path}", "--cache-sim=yes", "--simulate-wb=yes", *levels,
+                f"--LL={cache}", "--collect-atstart=no", f"--toggle-collect={within}"]
+        printed = subprocess.run([*tool, *command], capture_output=True, text=True, check=True).stdout
+        words = {line.split()[0]: line.split()[1:] for line in path.read_text().splitlines() if line.startswith(("events:", "totals:"))}
+    count = {event: int(value) for event, value in zip(words["events:"], words["totals:"])}
+    lines = sum(count.get(event, 0) for event in ("DLmr", "DLmw", "ILdmr", "DLdmr", "DLdmw"))
+    return count["Ir"], lines * int(cache.split(",")[2]), printed

@@ -6,13 +6,13 @@ script; exit status 1 when a feature that is off costs more than 0.5 % or alloca
 import argparse
 import json
 import os
-import platform
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import callgrind
+from programs import architecture, processor, run, settings
 
 HERE = Path(__file__).parent
 SCENE = HERE / "scene.yaml"
@@ -44,10 +44,6 @@ STEP_FEATURES = {
 ALL_FIELDS = "output.fields=[displacement, velocity, strain, stress, braid_angle, crimp, broken]"
 
 
-def settings(overrides):
-    return [word for override in overrides for word in ("--set", override)]
-
-
 class Steps:
     """Costs of the step of a scene, each measured once."""
 
@@ -72,10 +68,6 @@ class Steps:
     def leave_the_same_bits(self, overrides):
         """Whether the product's step and the one without its optional features do."""
         return subprocess.run([self.program, SCENE, *settings(overrides), "--check"], capture_output=True).returncode == 0
-
-
-def run(command):
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
 def step_rows(steps):
@@ -135,19 +127,6 @@ def output_rows(build):
         f"| 11 frames, no field | {frames['step']:.1f} | {frames['row']:.0f} | {frames['frames'] / 11:.0f} |",
         f"| 11 frames, all fields | {fields['step']:.1f} | {fields['row']:.0f} | {fields['frames'] / 11:.0f} |",
     ]
-
-
-def processor():
-    for line in Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":")[1].strip()
-    return platform.machine()
-
-
-def architecture(build):
-    for line in (build / "CMakeCache.txt").read_text().splitlines():
-        if line.startswith("WEAVEFRONT_ARCH:"):
-            return line.split("=")[1]
 
 
 def main():

@@ -7,13 +7,14 @@ namespace weavefront::contact {
 Outline::Outline(const std::array<Vec3, 4>& corners)
     : corners_(corners),
       low_(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2].cwiseMin(corners[3]))),
-      high_(corners[0].cwiseMax(corners[1]).cwiseMax(corners[2].cwiseMax(corners[3]))),
-      normal_((corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized()) {}
+      high_(corners[0].cwiseMax(corners[1]).cwiseMax(corners[2].cwiseMax(corners[3]))) {}
+
+Vec3 Outline::normal() const { return (corners_[2] - corners_[0]).cross(corners_[3] - corners_[1]).normalized(); }
 
 double Outline::distance_to(const Outline& other, double enough) const {
     double gap = (other.low_ - high_).cwiseMax(low_ - other.high_).maxCoeff();
-    if (gap < enough) gap = std::max(gap, gap_along(normal_, other));
-    if (gap < enough) gap = std::max(gap, other.gap_along(other.normal_, *this));
+    if (gap < enough) gap = std::max(gap, gap_along(normal(), other));
+    if (gap < enough) gap = std::max(gap, other.gap_along(other.normal(), *this));
     if (gap < enough) gap = std::max(gap, gap_along(between_nearest_corners(other), other));
     return gap;
 }

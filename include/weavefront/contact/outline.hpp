@@ -20,11 +20,12 @@ class Outline {
     [[nodiscard]] double distance_to(const Outline& other, double enough) const;
 
   private:
+    [[nodiscard]] Vec3 normal() const;
     [[nodiscard]] double gap_along(const Vec3& axis, const Outline& other) const;
     [[nodiscard]] Vec3 between_nearest_corners(const Outline& other) const;
 
     std::array<Vec3, 4> corners_;
-    Vec3 low_, high_, normal_;
+    Vec3 low_, high_;
 };
 
 }  // namespace weavefront::contact

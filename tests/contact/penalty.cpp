@@ -141,6 +141,10 @@ TEST(PenaltyLaw, HealsALateOverlapGentlyFromWhatTheFacetHasDissipated) {
     Overlap poor{.mass = mass, .g = G, .reserve = 0};
     EXPECT_EQ(poor.run(law, 1000 * period, 0.05 * period), 0);
     EXPECT_EQ(poor.g, G);
+
+    const PenaltyLaw elastic({.stiffness = k, .unloading = 1, .damping = 0.2}, mass);
+    Overlap kept{.mass = mass, .g = G, .reserve = given_at_once};
+    EXPECT_EQ(kept.run(elastic, 1000 * period, 0.05 * period), 0);
 }
 
 TEST(PenaltyLaw, TakesMoreThanItGivesWhateverTheGeometryDoes) {

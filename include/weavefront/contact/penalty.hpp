@@ -30,6 +30,7 @@ struct PenetrationLanes {
 /// The penetration follows the geometry but grows only by relative motion: where the geometry jumps (a facet changes, an overlap is found
 /// late, an element disappears) nothing is pushed out at once. What is left late is healed: the penetration creeps up to the geometry, and
 /// the energy that it can then give back is taken from what contact has dissipated in the same facet. So contact never gives energy.
+/// Elastic contact, u = 1, gives back all that it takes and has nothing to heal with.
 class PenaltyLaw {
   public:
     /// @param law     stiffness k (Pa/m), unloading ratio u >= 1, fraction of critical damping
@@ -38,7 +39,8 @@ class PenaltyLaw {
         : stiffness_(law.stiffness),
           unloading_(law.unloading),
           damping_(2 * law.damping * std::sqrt(law.stiffness * density)),
-          healing_rate_(std::sqrt(law.unloading * law.stiffness / density) / (2 * std::numbers::pi * healing_periods)) {}
+          healing_rate_(law.unloading > 1 ? std::sqrt(law.unloading * law.stiffness / density) / (2 * std::numbers::pi * healing_periods)
+                                          : 0) {}
 
     /// Advances a point and returns its pressure, Pa.
     /// @param geometric penetration seen now, m; negative when apart

@@ -15,7 +15,7 @@ namespace weavefront::app {
 namespace {
 
 constexpr std::array<std::string_view, 1> later_subcommands{"v50"};
-constexpr std::array<std::string_view, 2> later_options{"--restart", "--rebalance"};
+constexpr std::array<std::string_view, 1> later_options{"--restart"};
 
 template <typename Later>
 void refuse_unless_known(std::string_view kind, const std::string& word, const std::vector<std::string>& known, const Later& later) {

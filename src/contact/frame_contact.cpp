@@ -34,20 +34,12 @@ void FrameContact::evaluate(const Surface& surface, std::span<const Vec3> x, std
 
 void FrameContact::save(std::int32_t facet, std::vector<double>& record) const {
     const auto f = static_cast<std::size_t>(facet);
-    record.insert(record.end(), {reserves_[f], static_cast<double>(points_[f].size())});
-    for (const auto& point : points_[f]) record.insert(record.end(), {point.penetration.present, point.penetration.largest});
+    save_points(reserves_[f], points_[f], record);
 }
 
 std::span<const double> FrameContact::restore(std::int32_t facet, std::span<const double> record) {
     const auto f = static_cast<std::size_t>(facet);
-    auto next = record.begin();
-    reserves_[f] = *next++;
-    points_[f].resize(static_cast<std::size_t>(*next++));
-    for (auto& point : points_[f]) {
-        point.penetration.present = *next++;
-        point.penetration.largest = *next++;
-    }
-    return {next, record.end()};
+    return restore_points(reserves_[f], points_[f], record);
 }
 
 }  // namespace weavefront::contact

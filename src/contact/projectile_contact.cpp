@@ -63,22 +63,18 @@ void ProjectileContact::evaluate(const Surface& surface, std::span<const Vec3> x
 
 void ProjectileContact::save(std::int32_t facet, std::vector<double>& record) const {
     const auto f = static_cast<std::size_t>(facet);
-    record.insert(record.end(), {reserves_[f], static_cast<double>(points_[f].size())});
-    for (const auto& point : points_[f])
-        record.insert(record.end(), {point.penetration.present, point.penetration.largest, static_cast<double>(point.side)});
+    save_points(reserves_[f], points_[f], record);
+    for (const auto& point : points_[f]) record.push_back(static_cast<double>(point.side));
 }
 
 std::span<const double> ProjectileContact::restore(std::int32_t facet, std::span<const double> record) {
     const auto f = static_cast<std::size_t>(facet);
-    auto next = record.begin();
-    reserves_[f] = *next++;
-    points_[f].resize(static_cast<std::size_t>(*next++));
+    auto rest = restore_points(reserves_[f], points_[f], record);
     for (auto& point : points_[f]) {
-        point.penetration.present = *next++;
-        point.penetration.largest = *next++;
-        point.side = static_cast<Side>(*next++);
+        point.side = static_cast<Side>(rest.front());
+        rest = rest.subspan(1);
     }
-    return {next, record.end()};
+    return rest;
 }
 
 }  // namespace weavefront::contact

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "agreement.hpp"
+#include "weavefront/parallel/item_type.hpp"
 
 namespace weavefront::io {
 
@@ -41,22 +42,6 @@ void require_each_once(std::span<const std::int64_t> position, std::int64_t coun
     const auto missing = std::find(seen.begin(), seen.end(), false);
     if (missing != seen.end()) throw std::logic_error("global id " + std::to_string(first + (missing - seen.begin())) + " has no owner");
 }
-
-// An item as one MPI element, so that counts and displacements stay in items and far from the range of int.
-class ItemType {
-  public:
-    explicit ItemType(std::size_t bytes) {
-        check(MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &type_));
-        check(MPI_Type_commit(&type_));
-    }
-    ~ItemType() { MPI_Type_free(&type_); }
-    ItemType(const ItemType&) = delete;
-    ItemType& operator=(const ItemType&) = delete;
-    [[nodiscard]] MPI_Datatype get() const { return type_; }
-
-  private:
-    MPI_Datatype type_ = MPI_DATATYPE_NULL;
-};
 
 }  // namespace
 
@@ -96,7 +81,7 @@ void BlockExchange::exchange(std::span<const std::byte> values, std::span<std::b
                                     std::to_string(values.size()) + " bytes");
     // Ascending ids meet ascending blocks: what goes to one rank is contiguous already.
     std::vector<std::byte> arrived(block.size());
-    const ItemType type(item);
+    const parallel::ItemType type(item);
     check(MPI_Alltoallv(values.data(), send_counts_.data(), send_starts_.data(), type.get(), arrived.data(), receive_counts_.data(),
                         receive_starts_.data(), type.get(), comm_->get()));
     for (std::size_t i = 0; i < position_.size(); ++i)

@@ -53,4 +53,24 @@ PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const 
     return sum;
 }
 
+/// Appends the reserve of a facet (J/m2) and the penetrations of its points, for another rank.
+template <class Point>
+void save_points(double reserve, const std::vector<Point>& points, std::vector<double>& record) {
+    record.insert(record.end(), {reserve, static_cast<double>(points.size())});
+    for (const auto& point : points) record.insert(record.end(), {point.penetration.present, point.penetration.largest});
+}
+
+/// Takes up what save_points wrote. @return what comes after it
+template <class Point>
+std::span<const double> restore_points(double& reserve, std::vector<Point>& points, std::span<const double> record) {
+    auto next = record.begin();
+    reserve = *next++;
+    points.resize(static_cast<std::size_t>(*next++));
+    for (auto& point : points) {
+        point.penetration.present = *next++;
+        point.penetration.largest = *next++;
+    }
+    return {next, record.end()};
+}
+
 }  // namespace weavefront::contact

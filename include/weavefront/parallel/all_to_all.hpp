@@ -6,25 +6,9 @@
 #include <vector>
 
 #include "weavefront/parallel/communicator.hpp"
+#include "weavefront/parallel/item_type.hpp"
 
 namespace weavefront::parallel {
-
-/// The MPI type of items of some bytes: counts are of items, so that messages may pass 2 GiB.
-class ItemType {
-  public:
-    explicit ItemType(std::size_t bytes) {
-        check(MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &type_));
-        check(MPI_Type_commit(&type_));
-    }
-    ~ItemType() { MPI_Type_free(&type_); }
-    ItemType(const ItemType&) = delete;
-    ItemType& operator=(const ItemType&) = delete;
-
-    [[nodiscard]] MPI_Datatype get() const { return type_; }
-
-  private:
-    MPI_Datatype type_ = MPI_DATATYPE_NULL;
-};
 
 /// Sends outgoing[r] to rank r; returns what each rank sent here. T is trivially copyable. @note Collective
 template <class T>

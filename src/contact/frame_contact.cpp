@@ -15,7 +15,7 @@ FrameContact::FrameContact(const scene::Frame& frame, const scene::ContactLaw& l
     for (std::size_t f = 0; f < points_.size(); ++f) rules_.push_back(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x)));
 }
 
-void FrameContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                             std::vector<PairForce>& forces) {
     for (std::size_t f = 0; f < points_.size(); ++f) {
         const auto& facet = surface.facets[f];
@@ -25,8 +25,9 @@ void FrameContact::evaluate(const Surface& surface, std::span<const Vec3> x, std
             points_[f] = {};
             continue;
         }
-        const RigidPair pair{facet, surface.areas[f], quadrature_.rule(rules_[f]), laws_[static_cast<std::size_t>(facet.ply)],
+        RigidPair pair{facet, surface.areas[f], quadrature_.rule(rules_[f]), laws_[static_cast<std::size_t>(facet.ply)],
                              Master::frame};
+        if (!quadrature_.at_nodes()) pair.normals = normals.of(facet, surface, x);
         const auto force = press(pair, x, v, dt, points_[f], reserves_[f], [&](const Vec3& at, const Point&) { return shape.depth(at); });
         if (force.total != Vec3::Zero()) forces.push_back(force);
     }

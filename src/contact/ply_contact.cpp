@@ -60,7 +60,6 @@ PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spaci
 
 void PlyContact::update_candidates(const Surface& surface, std::span<const Vec3> x, double skin) {
     candidates_ = find_candidates(surface, x, touching_.depth() + skin);
-    normals_.rebuild(surface, x.size());
     approach_.rebuild(surface, candidates_, x);
     for (std::int32_t g = 0; g < approach_.groups(); ++g)
         for (std::size_t k = 0; k < watches(g).size(); ++k) {
@@ -94,9 +93,7 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
     const auto& facet = now.surface.facets[static_cast<std::size_t>(f)];
     const auto& rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]);
     const auto corners = corners_of(facet.nodes, now.x);
-    std::array<Vec3, 4> normals;
-    for (std::size_t a = 0; a < 4; ++a) normals[a] = normals_.at(facet.nodes[a], now.surface, now.x);
-    FacetLines lines(rule, corners, normals, touching_.depth(), touching_.most());
+    FacetLines lines(rule, corners, now.normals.of(facet, now.surface, now.x), touching_.depth(), touching_.most());
     const auto candidates = candidates_.of(f);
     bool complete = first < 0;
     near_.start(facet, corners);
@@ -179,11 +176,10 @@ void PlyContact::evaluate_group(std::int32_t g, const Now& now, std::vector<Pair
     }
 }
 
-void PlyContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+void PlyContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                           std::vector<PairForce>& forces) {
-    normals_.new_positions();
     approach_.advance(v, dt);
-    for (std::int32_t g = 0; g < approach_.groups(); ++g) evaluate_group(g, {surface, x, v, dt}, forces);
+    for (std::int32_t g = 0; g < approach_.groups(); ++g) evaluate_group(g, {surface, normals, x, v, dt}, forces);
 }
 
 void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {

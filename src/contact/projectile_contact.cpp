@@ -30,7 +30,7 @@ void ProjectileContact::update_candidates(const Surface& surface, std::span<cons
         if (!surface.alive[f]) points_[f] = {};
 }
 
-void ProjectileContact::evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v,
+void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v,
                                  const ProjectileState& projectile, double dt, std::vector<PairForce>& forces) {
     for (const auto f : candidates_) {
         const auto index = static_cast<std::size_t>(f);
@@ -49,12 +49,13 @@ void ProjectileContact::evaluate(const Surface& surface, std::span<const Vec3> x
             points_[index] = {};
             continue;
         }
-        const RigidPair pair{facet,
+        RigidPair pair{facet,
                              surface.areas[index],
                              quadrature_.rule(rules_[index]),
                              laws_[static_cast<std::size_t>(facet.ply)],
                              Master::projectile,
                              projectile.velocity};
+        if (!quadrature_.at_nodes()) pair.normals = normals.of(facet, surface, x);
         const auto force = press(pair, x, v, dt, points_[index], reserves_[index],
                                  [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); });
         if (force.total != Vec3::Zero()) forces.push_back(force);

@@ -55,7 +55,11 @@ std::string place_of(const mesh::Panel& panel, std::int64_t element) {
 }  // namespace
 
 double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel) {
-    if (!scene.contact.plies || panel.plies.size() < 2) return 0;
+    if (!scene.contact.plies || panel.plies.size() < 2) {
+        // The smoothed normals of a rank's own nodes take the facets around them.
+        const bool integrated = scene.contact.spacing && ((scene.contact.projectile && scene.projectile) || scene.target->frame);
+        return integrated ? skin_in_edges * panel.smallest_edge() : 0;
+    }
     double thickest = 0;
     for (const auto& ply : panel.plies)
         thickest = std::max(thickest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].contact_thickness);
@@ -145,12 +149,14 @@ void Simulation::note(const shell::Events& events) {
 void Simulation::evaluate_contact() {
     const Timed timed(seconds_, Phase::contact);
     const auto& nodes = model_.nodes;
+    auto& normals = model_.normals;
     pairs_.clear();
     on_projectile_ = {};
+    normals.new_positions();
     if (model_.projectile_contact)
-        model_.projectile_contact->evaluate(model_.surface, nodes.x, nodes.v, *model_.projectile, last_dt_, pairs_);
-    if (model_.ply_contact) model_.ply_contact->evaluate(model_.surface, nodes.x, nodes.v, last_dt_, pairs_);
-    if (model_.frame_contact) model_.frame_contact->evaluate(model_.surface, nodes.x, nodes.v, last_dt_, pairs_);
+        model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile, last_dt_, pairs_);
+    if (model_.ply_contact) model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, pairs_);
+    if (model_.frame_contact) model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, pairs_);
     for (const auto& pair : pairs_) model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
     count_contact_work(last_dt_);
 }
@@ -266,15 +272,17 @@ bool Simulation::moved_far() const {
 
 void Simulation::update_candidates() {
     candidates_outdated_ = false;
-    if (!model_.projectile_contact && !model_.ply_contact) return;
+    if (!model_.projectile_contact && !model_.ply_contact && !model_.frame_contact) return;
     const Timed timed(seconds_, Phase::search);
     ++counts_.searches;
     const double skin = skin_in_edges * model_.smallest_edge;
     auto& nodes = model_.nodes;
-    if (model_.ply_contact) {
-        if (comm_.size() > 1) model_.links = rebuild_ghosts(comm_, model_.halo, model_.ply_contact->reach() + skin, model_.surface, nodes);
-        model_.ply_contact->update_candidates(model_.surface, nodes.x, skin);
+    const double reach = ghost_reach(scene_, panel_);
+    if (reach > 0) {
+        if (comm_.size() > 1) model_.links = rebuild_ghosts(comm_, model_.halo, reach, model_.surface, nodes);
+        model_.normals.rebuild(model_.surface, nodes.x.size());
     }
+    if (model_.ply_contact) model_.ply_contact->update_candidates(model_.surface, nodes.x, skin);
     if (model_.projectile_contact) {
         model_.projectile_contact->update_candidates(model_.surface, nodes.x, *model_.projectile, skin);
         candidate_projectile_ = model_.projectile->position;

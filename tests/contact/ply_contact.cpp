@@ -27,7 +27,7 @@ std::vector<contact::PairForce> press(PlyContact& contact, Plies& plies, std::si
     for (int step = 0; step < steps; ++step) {
         for (std::size_t n = 0; n < moving; ++n) plies.x[n] += dt * v[n];
         forces.clear();
-        contact.evaluate(plies.surface, plies.x, v, dt, forces);
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, forces);
     }
     return forces;
 }
@@ -111,10 +111,10 @@ TEST(PlyContact, IsFoundInTheStepInWhichItBegins) {
         for (int step = 0; step < 200 && !touched; ++step) {
             for (std::size_t n = 0; n < v.size(); ++n) plies.x[n] += dt * v[n];
             std::vector<contact::PairForce> forces, expected;
-            contact.evaluate(plies.surface, plies.x, v, dt, forces);
+            contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, forces);
             PlyContact anew(elastic, 0.25e-3, plies.surface, plies.x);
             anew.update_candidates(plies.surface, plies.x, side);
-            anew.evaluate(plies.surface, plies.x, v, dt, expected);
+            anew.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, expected);
             ASSERT_EQ(forces.size(), expected.size()) << "pass " << pass << ", step " << step;
             touched = !expected.empty();
         }

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/surface.hpp"
 
 namespace weavefront::test {
@@ -18,7 +19,15 @@ using Shape = std::function<Vec3(double, double)>;
 /// Plies of grids.
 struct Plies {
     contact::Surface surface;
+    contact::NodalNormals normals;
     Positions x;
+
+    /// Those of the present positions.
+    contact::NodalNormals& fresh_normals() {
+        normals.rebuild(surface, x.size());
+        normals.new_positions();
+        return normals;
+    }
 
     /// Appends a ply of n x n facets. Areas are those of the shape.
     void add(int n, const contact::PlyProperties& properties, const Shape& shape) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "weavefront/contact/frame.hpp"
+#include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/surface.hpp"
@@ -15,6 +16,7 @@
 namespace weavefront::contact {
 
 /// The frame holds the fabric back from one side only: fabric may slide on it and lift off, but not pass.
+/// It pushes along the same normals as the projectile.
 class FrameContact {
   public:
     /// The last ply of `surface` rests on the frame at the start. @param x initial positions, m
@@ -22,9 +24,11 @@ class FrameContact {
                  std::span<const Vec3> x);
 
     /// Appends the forces at the present positions.
-    /// @param v  velocities over the last step, m/s
-    /// @param dt the last step, s
-    void evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::vector<PairForce>& forces);
+    /// @param normals of the plies, at these positions
+    /// @param v       velocities over the last step, m/s
+    /// @param dt      the last step, s
+    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+                  std::vector<PairForce>& forces);
 
     /// Memory of the points of an owned facet, to be taken up on another rank.
     void save(std::int32_t facet, std::vector<double>& record) const;

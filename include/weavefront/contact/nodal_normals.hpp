@@ -2,6 +2,7 @@
 /// @file
 /// Smoothed normals of the plies.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,12 @@ class NodalNormals {
 
     /// Forgets the normals of the last positions.
     void new_positions() { ++now_; }
+
+    /// Those of the corners of a facet.
+    std::array<Vec3, 4> of(const Facet& facet, const Surface& surface, std::span<const Vec3> x) {
+        const auto& [a, b, c, d] = facet.nodes;
+        return {at(a, surface, x), at(b, surface, x), at(c, surface, x), at(d, surface, x)};
+    }
 
     /// Area-weighted normal, not normalised, m2. Eroded facets do not count.
     const Vec3& at(std::int32_t node, const Surface& surface, std::span<const Vec3> x);

@@ -34,9 +34,11 @@ class PlyContact {
     void update_candidates(const Surface& surface, std::span<const Vec3> x, double skin);
 
     /// Appends the forces at the present positions.
-    /// @param v  velocities over the last step, m/s: nodes have moved by `dt` times these since the last call
-    /// @param dt the last step, s
-    void evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::vector<PairForce>& forces);
+    /// @param normals of the plies, at these positions
+    /// @param v       velocities over the last step, m/s: nodes have moved by `dt` times these since the last call
+    /// @param dt      the last step, s
+    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+                  std::vector<PairForce>& forces);
 
     /// Whether any point of an owned facet remembers a penetration.
     [[nodiscard]] bool touches(std::int32_t facet) const { return memory_.holds(facet); }
@@ -44,9 +46,6 @@ class PlyContact {
     void save(std::int32_t facet, std::vector<double>& record) const;
     /// @param record of `save`, with anything after it. @return what comes after it
     std::span<const double> restore(std::int32_t facet, std::span<const double> record);
-
-    /// How far apart footprints may be and still matter, m, without the skin.
-    [[nodiscard]] double reach() const { return touching_.depth(); }
 
   private:
     /// Until when what a facet knows of its candidates holds.
@@ -58,6 +57,7 @@ class PlyContact {
     /// Where and when.
     struct Now {
         const Surface& surface;
+        NodalNormals& normals;
         std::span<const Vec3> x, v;
         double dt;
     };
@@ -86,7 +86,6 @@ class PlyContact {
     Quadrature quadrature_;
     Candidates candidates_;
     Approach approach_;
-    NodalNormals normals_;
     NearFacets near_;                    ///< of the facet at hand
     std::vector<std::int32_t> pair_of_;  ///< of each of `near_`: its place among the forces, or -1
     std::vector<Watch> watches_;         ///< of the owned facets, group by group

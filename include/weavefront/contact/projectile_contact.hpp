@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/projectile.hpp"
 #include "weavefront/contact/quadrature.hpp"
@@ -19,6 +20,8 @@ struct ProjectileState {
     Vec3 velocity{0, 0, 0};  ///< m/s
 };
 
+/// Integrated contact pushes along the smoothed normals of the plies, as contact between them does; contact at the nodes along those of the
+/// projectile.
 class ProjectileContact {
   public:
     /// @param x initial positions, for the integration points, m
@@ -29,10 +32,11 @@ class ProjectileContact {
     void update_candidates(const Surface& surface, std::span<const Vec3> x, const ProjectileState& projectile, double skin);
 
     /// Appends the forces at the present positions.
-    /// @param v  velocities over the last step, m/s
-    /// @param dt the last step, s
-    void evaluate(const Surface& surface, std::span<const Vec3> x, std::span<const Vec3> v, const ProjectileState& projectile, double dt,
-                  std::vector<PairForce>& forces);
+    /// @param normals of the plies, at these positions
+    /// @param v       velocities over the last step, m/s
+    /// @param dt      the last step, s
+    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v,
+                  const ProjectileState& projectile, double dt, std::vector<PairForce>& forces);
 
     /// Whether any point of an owned facet remembers a penetration, or may soon.
     [[nodiscard]] bool touches(std::int32_t facet) const { return !points_[static_cast<std::size_t>(facet)].empty(); }

@@ -35,6 +35,8 @@ class Quadrature {
     /// Index of the rule for an element with these corners (m).
     std::int32_t rule_for(const std::array<Vec3, 4>& corners);
 
+    [[nodiscard]] bool at_nodes() const { return !spacing_; }
+
     [[nodiscard]] const QuadratureRule& rule(std::int32_t index) const { return rules_[static_cast<std::size_t>(index)].points; }
 
     /// Corners of the part of an element that its points span. @param corners of the element, m

@@ -2,6 +2,7 @@
 /// @file
 /// Pressure of a rigid body on one facet.
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,7 +22,19 @@ struct RigidPair {
     const PenaltyLaw& law;
     Master body;
     Vec3 body_velocity{0, 0, 0};  ///< m/s
+    /// Of the ply at the corners, of any length; none: the body pushes along its own normal, as in node-to-surface contact.
+    std::optional<std::array<Vec3, 4>> normals = {};
 };
+
+/// Direction in which a body without friction pushes a point of a ply: along the normal of the ply, so that it does not pull on the yarns.
+/// The normal of the body does where the two differ, as they do over an edge that presses into the ply: tensions would then not be handed
+/// on from one side of the edge to the other. A ply seen at more than 60 deg, as at the rim of a hole, leaves along the normal of the body.
+inline Vec3 push_direction(const Vec3& of_ply, const Vec3& of_body) {
+    constexpr double cos_60 = 0.5;
+    const double length = of_ply.norm(), facing = of_ply.dot(of_body);
+    if (!(std::abs(facing) > cos_60 * length)) return of_body;
+    return (facing > 0 ? 1 : -1) / length * of_ply;
+}
 
 /// Integrates the pressure over the points of a facet.
 /// @param x, v    positions and velocities of the nodes, m, m/s
@@ -38,6 +51,7 @@ PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const 
     for (std::size_t b = 0; b < pair.rule.size(); ++b) {
         const auto& batch = pair.rule[b];
         const auto position = interpolate(corners, batch.N), velocity = interpolate(velocities, batch.N);
+        const auto normal = pair.normals ? interpolate(*pair.normals, batch.N) : VectorLanes{};
         for (std::size_t i = 0; i < batch.count; ++i) {
             auto& point = points[b * batch_width + i];
             const std::optional<Depth> found = depth(Vec3(position.x[i], position.y[i], position.z[i]), point);
@@ -45,9 +59,11 @@ PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const 
                 point.penetration = {};
                 continue;
             }
-            const double closing = (pair.body_velocity - Vec3(velocity.x[i], velocity.y[i], velocity.z[i])).dot(found->normal);
+            const Vec3 direction =
+                pair.normals ? push_direction(Vec3(normal.x[i], normal.y[i], normal.z[i]), found->normal) : found->normal;
+            const double closing = (pair.body_velocity - Vec3(velocity.x[i], velocity.y[i], velocity.z[i])).dot(direction);
             const double pressure = pair.law.advance(point.penetration, found->depth, closing, dt, batch.share[i], reserve);
-            sum.add(pressure * pair.area * batch.share[i] * found->normal, batch.N, i);
+            sum.add(pressure * pair.area * batch.share[i] * direction, batch.N, i);
         }
     }
     return sum;

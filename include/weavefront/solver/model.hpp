@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "weavefront/contact/frame_contact.hpp"
+#include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/ply_contact.hpp"
 #include "weavefront/contact/projectile_contact.hpp"
 #include "weavefront/mesh/panel.hpp"
@@ -39,6 +40,7 @@ struct Model {
     std::vector<std::unique_ptr<shell::ElementGroup>> groups;  ///< one a fabric
     std::vector<ElementPlace> places;                          ///< of the owned elements
     contact::Surface surface;
+    contact::NodalNormals normals;  ///< of the plies, for contact
     partition::HaloPlan halo;
     Links links;
     Assembly assembly;

@@ -25,8 +25,7 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
             points_[f] = {};
             continue;
         }
-        RigidPair pair{facet, surface.areas[f], quadrature_.rule(rules_[f]), laws_[static_cast<std::size_t>(facet.ply)],
-                             Master::frame};
+        RigidPair pair{facet, surface.areas[f], quadrature_.rule(rules_[f]), laws_[static_cast<std::size_t>(facet.ply)], Master::frame};
         if (!quadrature_.at_nodes()) pair.normals = normals.of(facet, surface, x);
         const auto force = press(pair, x, v, dt, points_[f], reserves_[f], [&](const Vec3& at, const Point&) { return shape.depth(at); });
         if (force.total != Vec3::Zero()) forces.push_back(force);

@@ -50,11 +50,11 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
             continue;
         }
         RigidPair pair{facet,
-                             surface.areas[index],
-                             quadrature_.rule(rules_[index]),
-                             laws_[static_cast<std::size_t>(facet.ply)],
-                             Master::projectile,
-                             projectile.velocity};
+                       surface.areas[index],
+                       quadrature_.rule(rules_[index]),
+                       laws_[static_cast<std::size_t>(facet.ply)],
+                       Master::projectile,
+                       projectile.velocity};
         if (!quadrature_.at_nodes()) pair.normals = normals.of(facet, surface, x);
         const auto force = press(pair, x, v, dt, points_[index], reserves_[index],
                                  [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); });

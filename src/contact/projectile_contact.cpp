@@ -1,24 +1,24 @@
 #include "weavefront/contact/projectile_contact.hpp"
 
-#include "weavefront/contact/rigid_pressure.hpp"
-
 namespace weavefront::contact {
 
 ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
                                      const Surface& surface, std::span<const Vec3> x)
-    : quadrature_(spacing), points_(static_cast<std::size_t>(surface.owned)), reserves_(points_.size()) {
+    : quadrature_(spacing), rules_(rules_for(quadrature_, surface, x)), memories_(surface.owned) {
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(projectile, ply.thickness / 2);
         laws_.emplace_back(law, ply.areal_density);  // the projectile is far heavier than the fabric under one point
     }
-    for (std::size_t f = 0; f < points_.size(); ++f) rules_.push_back(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x)));
 }
 
 void ProjectileContact::update_candidates(const Surface& surface, std::span<const Vec3> x, const ProjectileState& projectile, double skin) {
     candidates_.clear();
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
-        if (!surface.alive[static_cast<std::size_t>(f)]) continue;
+        if (!surface.alive[static_cast<std::size_t>(f)]) {
+            memories_.forget(f);
+            continue;
+        }
         const auto box = Box::around(facet, x);
         const double reach = shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin;
         const auto apart = [&](int d) {
@@ -26,8 +26,6 @@ void ProjectileContact::update_candidates(const Surface& surface, std::span<cons
         };
         if (!apart(0) && !apart(1)) candidates_.push_back(f);
     }
-    for (std::size_t f = 0; f < points_.size(); ++f)
-        if (!surface.alive[f]) points_[f] = {};
 }
 
 void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v,
@@ -46,7 +44,7 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
             return box.low[d] > projectile.position[d] + reach || box.high[d] < projectile.position[d] - reach;
         };
         if (apart(0) || apart(1) || box.low.z() > z + shape.front() + margin || box.high.z() < z + shape.rear() - margin) {
-            points_[index] = {};
+            forget_points(memories_, f);
             continue;
         }
         RigidPair pair{facet,
@@ -56,25 +54,28 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
                        Master::projectile,
                        projectile.velocity};
         if (!quadrature_.at_nodes()) pair.normals = normals.of(facet, surface, x);
-        const auto force = press(pair, x, v, dt, points_[index], reserves_[index],
+        const auto force = press(pair, x, v, dt, memories_.take(f),
                                  [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); });
         if (force.total != Vec3::Zero()) forces.push_back(force);
     }
 }
 
 void ProjectileContact::save(std::int32_t facet, std::vector<double>& record) const {
-    const auto f = static_cast<std::size_t>(facet);
-    save_points(reserves_[f], points_[f], record);
-    for (const auto& point : points_[f]) record.push_back(static_cast<double>(point.side));
+    const auto* memory = memories_.find(facet);
+    const RigidMemory<Point> none;
+    const auto& saved = memory ? *memory : none;
+    save_points(saved, record);
+    for (const auto& point : saved.points) record.push_back(static_cast<double>(point.side));
 }
 
 std::span<const double> ProjectileContact::restore(std::int32_t facet, std::span<const double> record) {
-    const auto f = static_cast<std::size_t>(facet);
-    auto rest = restore_points(reserves_[f], points_[f], record);
-    for (auto& point : points_[f]) {
+    RigidMemory<Point> memory;
+    auto rest = restore_points(memory, record);
+    for (auto& point : memory.points) {
         point.side = static_cast<Side>(rest.front());
         rest = rest.subspan(1);
     }
+    keep(memories_, facet, std::move(memory));
     return rest;
 }
 

@@ -50,7 +50,7 @@ std::int32_t Quadrature::rule_for(const std::array<Vec3, 4>& corners) {
     }
     const auto same = [&](const Rule& rule) { return rule.n == n && rule.m == m; };
     auto found = std::ranges::find_if(rules_, same);
-    if (found == rules_.end()) found = rules_.insert(rules_.end(), Rule{n, m, quadrature(n, m)});
+    if (found == rules_.end()) found = rules_.insert(rules_.end(), Rule{n, m, {}});
     return static_cast<std::int32_t>(found - rules_.begin());
 }
 

@@ -81,7 +81,7 @@ class Results::File {
 
   private:
     static std::vector<Array> shapes(std::vector<Array> arrays) {
-        for (auto& array : arrays) array.values.clear();
+        for (auto& array : arrays) array.values = std::vector<double>();  // gives its memory back
         return arrays;
     }
 

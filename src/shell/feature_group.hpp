@@ -19,50 +19,53 @@ namespace weavefront::shell {
 template <fabric::Features F>
 class FeatureGroup final : public ElementGroup {
     using Pack = fabric::Pack;
-    static constexpr int state_fields = fabric::state_size<F>();
+    using Fields = fabric::Fields;
+    static constexpr StateSizes sizes{fabric::state_size<F, Fields::changing>(), fabric::state_size<F, Fields::packing>(),
+                                      F.failure ? alive_field + 1 + fabric::state_size<F, Fields::damage>() : 0};
 
   public:
     FeatureGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements)
-        : ElementGroup(fabric, elements, state_fields), constants_(fabric::constants_of(fabric)), any_yarn_(any_yarn_erodes(fabric)) {
+        : ElementGroup(fabric, elements, sizes), constants_(fabric::constants_of(fabric)), any_yarn_(any_yarn_erodes(fabric)) {
         const auto initial = fabric::initial_state<F, Pack>(constants_);
-        for (std::int32_t pack = 0; pack < packs_; ++pack) fabric::store_state<F, Pack>(initial, state_at(pack));
+        for (std::int32_t pack = 0; pack < packs_; ++pack) store(pack, initial);
     }
 
     void set_time_step(double dt) override { step_ = fabric::step_of(constants_, F, dt); }
 
     void advance(std::int32_t first, std::int32_t count, std::span<const Eigen::Vector3d> x, std::span<double> forces,
                  Events& events) override {
-        for (std::int32_t p = 0; p < count; ++p)
-            advance_pack(first + p, x, forces.data() + static_cast<std::size_t>(p) * forces_per_pack, events);
+        for_packs(first, count, [&](std::int32_t pack, std::int32_t at) {
+            advance_pack(pack, at, x, forces.data() + static_cast<std::size_t>(pack - first) * forces_per_pack, events);
+        });
     }
 
     [[nodiscard]] Condition condition(std::span<const Eigen::Vector3d> x) const override {
         Condition condition;
-        for (std::int32_t pack = 0; pack < packs_; ++pack) {
-            const auto quad = load_quad(pack);
-            const auto state = fabric::load_state<F, Pack>(state_at(pack));
+        for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
+            auto quad = quads_.pack_from(at);
+            const auto state = load(pack, quad);
             const auto alive = quad.area > 0.0;
             const Pack rough =
                 critical_frequency_squared(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
             if (fabric::any(alive & (rough > condition.omega_squared))) raise(condition.omega_squared, pack, alive, rough);
             const auto inverted = alive & is_inverted(gather(pack, x));
             if (fabric::any(inverted))
-                for (int lane = 0; lane < pack_width; ++lane)
-                    if (inverted.get(lane)) condition.inverted.push_back(pack * pack_width + lane);
-        }
+                for (int lane = 0; lane < pack_width && pack * pack_width + lane < size(); ++lane)
+                    if (inverted.get(lane)) condition.inverted.push_back(element(pack * pack_width + lane));
+        });
         return condition;
     }
 
     [[nodiscard]] ElementEnergy energy(std::int32_t index) const override {
         const auto state = state_of(index);
-        const double area = quad(index, 6);
-        return {state.work * area, hourglass_energy(index), F.friction ? state.friction_work * area : 0.0};
+        const double size = area(index);
+        return {state.work * size, hourglass_energy(index), F.friction ? state.friction_work * size : 0.0};
     }
 
     [[nodiscard]] ElementOutput output(std::int32_t index, std::span<const Eigen::Vector3d> x) const override {
         const auto state = state_of(index);
         const auto yarns = fabric::yarn_state<F>(constants_, state);
-        const auto k = kinematics_of(quad_of(index), corners_of(index, x));
+        const auto k = kinematics_of(whole_quad(index), corners_of(index, x));
         const double cos_2theta = dot(k.g_f, k.g_w) / std::sqrt(dot(k.g_f, k.g_f) * dot(k.g_w, k.g_w));
         return {yarns.eps_f,
                 yarns.eps_w,
@@ -83,8 +86,8 @@ class FeatureGroup final : public ElementGroup {
             const auto index = pack * pack_width + lane;
             const auto state = state_of(index);
             if (sharper_bound_pays(state))
-                bound = std::min(bound, critical_frequency_squared(quad_of(index), fabric::tangent_bound<F>(constants_, state), hourglass_,
-                                                                   areal_density_));
+                bound = std::min(bound, critical_frequency_squared(whole_quad(index), fabric::tangent_bound<F>(constants_, state),
+                                                                   hourglass_, areal_density_));
             known = std::max(known, bound);
         }
     }
@@ -96,20 +99,60 @@ class FeatureGroup final : public ElementGroup {
         return false;
     }
 
-    double* state_at(std::int32_t pack) { return state_.data() + static_cast<std::size_t>(pack) * state_fields * pack_width; }
-    [[nodiscard]] const double* state_at(std::int32_t pack) const {
-        return state_.data() + static_cast<std::size_t>(pack) * state_fields * pack_width;
+    /// Calls with each pack and with the place of its geometry.
+    template <class Call>
+    void for_packs(std::int32_t first, std::int32_t count, Call call) const {
+        auto at = first * pack_width % quads_.period();
+        for (auto pack = first; pack < first + count; ++pack) {
+            call(pack, at);
+            at += pack_width;
+            if (at >= quads_.period()) at %= quads_.period();
+        }
+    }
+
+    [[nodiscard]] std::size_t at(std::int32_t pack) const { return static_cast<std::size_t>(pack) * sizes.changing * pack_width; }
+
+    /// The state of a pack; what is eroded loses area and shape of `quad`.
+    [[nodiscard]] WEAVEFRONT_INLINE fabric::State<Pack> load(std::int32_t pack, Quad<Pack>& quad) const {
+        fabric::State<Pack> state;
+        fabric::load_fields<F, Pack, Fields::changing>(state, state_.data() + at(pack));
+        if constexpr (sizes.packing > 0)
+            if (const double* packing = packing_.find(pack)) fabric::load_fields<F, Pack, Fields::packing>(state, packing);
+        if constexpr (F.failure)
+            if (const double* damage = damage_.find(pack)) {
+                const Pack left = Pack::load(damage);
+                quad.area = quad.area * left;
+                quad.shape = quad.shape * left;
+                fabric::load_fields<F, Pack, Fields::damage>(state, damage + pack_width);
+            }
+        return state;
+    }
+
+    /// Stores the state of a pack but for its damage.
+    WEAVEFRONT_INLINE void store(std::int32_t pack, const fabric::State<Pack>& state) {
+        fabric::store_state<F, Pack, Fields::changing>(state, state_.data() + at(pack));
+        if constexpr (sizes.packing > 0) {
+            if (fabric::any(state.alpha > 0.0))
+                fabric::store_state<F, Pack, Fields::packing>(state, packing_.take(pack));
+            else
+                packing_.give_back(pack);
+        }
     }
 
     [[nodiscard]] fabric::State<double> state_of(std::int32_t index) const {
-        std::array<double, state_fields> fields;
-        for (int f = 0; f < state_fields; ++f) fields[static_cast<std::size_t>(f)] = state_[slot(index, f, state_fields)];
-        return fabric::load_state<F, double>(fields.data());
+        fabric::State<double> state;
+        std::array<double, sizes.changing> fields;
+        for (int f = 0; f < sizes.changing; ++f) fields[static_cast<std::size_t>(f)] = state_[slot(index, f)];
+        fabric::load_fields<F, double, Fields::changing>(state, fields.data());
+        if constexpr (sizes.packing > 0) fill_from<Fields::packing>(packing_, 0, index, state);
+        if constexpr (sizes.damage > 0) fill_from<Fields::damage>(damage_, alive_field + 1, index, state);
+        return state;
     }
 
-    [[nodiscard]] Quad<double> quad_of(std::int32_t index) const {
-        return {quad(index, 0), quad(index, 1), quad(index, 2), quad(index, 3),
-                quad(index, 4), quad(index, 5), quad(index, 6), quad(index, 7)};
+    template <Fields which>
+    static void fill_from(const PackBlocks& blocks, int field, std::int32_t index, fabric::State<double>& state) {
+        fabric::for_each_field<F, which>(state,
+                                         [&](double& value) { value = blocks.get(index / pack_width, field++, index % pack_width); });
     }
 
     [[nodiscard]] std::array<Vector<double>, 4> corners_of(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
@@ -130,16 +173,11 @@ class FeatureGroup final : public ElementGroup {
         return corners;
     }
 
-    [[nodiscard]] Quad<Pack> load_quad(std::int32_t pack) const {
-        const double* at = quads_.data() + static_cast<std::size_t>(pack) * quad_size * pack_width;
-        const auto field = [at](int i) { return Pack::load(at + i * pack_width); };
-        return {field(0), field(1), field(2), field(3), field(4), field(5), field(6), field(7)};
-    }
-
-    void advance_pack(std::int32_t pack, std::span<const Eigen::Vector3d> x, double* forces, Events& events) {
-        auto state = fabric::load_state<F, Pack>(state_at(pack));
+    void advance_pack(std::int32_t pack, std::int32_t at, std::span<const Eigen::Vector3d> x, double* forces, Events& events) {
+        auto quad = quads_.pack_from(at);
+        auto state = load(pack, quad);
         [[maybe_unused]] const Pack intact_f = state.intact_f, intact_w = state.intact_w;
-        const auto result = internal_force<F, Pack>(constants_, step_, hourglass_, load_quad(pack), gather(pack, x), state);
+        const auto result = internal_force<F, Pack>(constants_, step_, hourglass_, quad, gather(pack, x), state);
         for (int a = 0; a < 3; ++a) {
             const auto& f = result.corner[static_cast<std::size_t>(a)];
             f.x.store(forces + (a * 3 + 0) * pack_width);
@@ -148,18 +186,20 @@ class FeatureGroup final : public ElementGroup {
         }
         if constexpr (F.failure)
             if (fabric::any((state.intact_f < intact_f) | (state.intact_w < intact_w))) {
-                note_breaks(pack, state, result.hourglass_energy, forces, events);
+                note_breaks(pack, quad, state, result.hourglass_energy, forces, events);
                 return;
             }
-        fabric::store_state<F, Pack>(state, state_at(pack));
+        store(pack, state);
         result.hourglass_energy.store(hourglass_energy_.data() + static_cast<std::size_t>(pack) * pack_width);
     }
 
     /// Counts broken yarns; elements that erode by it give no force from this very step on, and the work of the step is corrected so.
     /// @param after state at the end of the step; what is stored is that at its start, and is replaced
-    void note_breaks(std::int32_t pack, const fabric::State<Pack>& after, const Pack& hourglass, double* forces, Events& events) {
-        const auto before = fabric::load_state<F, Pack>(state_at(pack));
-        fabric::store_state<F, Pack>(after, state_at(pack));
+    void note_breaks(std::int32_t pack, Quad<Pack> quad, const fabric::State<Pack>& after, const Pack& hourglass, double* forces,
+                     Events& events) {
+        const auto before = load(pack, quad);
+        store(pack, after);
+        fabric::store_state<F, Pack, Fields::damage>(after, damage_.take(pack) + pack_width);
         for (int lane = 0; lane < pack_width; ++lane) {
             const auto index = pack * pack_width + lane;
             const auto at = static_cast<std::size_t>(index);
@@ -170,7 +210,7 @@ class FeatureGroup final : public ElementGroup {
             if (whole == whole_before) continue;
             events.broken_fill += after.intact_f.get(lane) != before.intact_f.get(lane);
             events.broken_warp += after.intact_w.get(lane) != before.intact_w.get(lane);
-            events.broken.push_back(elements_[at]);
+            events.broken.push_back(element(index));
             const bool eroded = any_yarn_ ? whole < 2 : whole == 0;
             // The hourglass potential is let go with the first yarn; the nodes felt it for half of the step, which changed it but little.
             events.lost_hourglass.push_back(last_hourglass);
@@ -186,9 +226,9 @@ class FeatureGroup final : public ElementGroup {
                                 after.m.get(lane) * (after.phi.get(lane) - before.phi.get(lane))) /
                                2;
         hourglass_energy_[static_cast<std::size_t>(index)] = 0;
-        const double area = quad(index, 6);
+        const double size = area(index);
         auto left = erode(index);
-        left.work -= forward * area;
+        left.work -= forward * size;
         return left;
     }
 

@@ -65,7 +65,7 @@ void Assembly::add_packs(const shell::ElementGroup& group, std::int32_t first, s
         const auto lanes = static_cast<std::size_t>(std::min(group.size() - (first + p) * shell::pack_width, shell::pack_width));
         if (add_pack(nodes, pack_forces.data(), lanes, sums)) continue;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const auto element = group.elements()[static_cast<std::size_t>((first + p) * shell::pack_width) + lane];
+            const auto element = group.element((first + p) * shell::pack_width + static_cast<std::int32_t>(lane));
             add_lane({nodes[0][lane], nodes[1][lane], nodes[2][lane], nodes[3][lane]}, pack_forces, lane, sums, element);
         }
     }

@@ -15,12 +15,22 @@ std::array<Vec3, 4> corners_of(const mesh::Part& part, std::size_t element) {
     return corners;
 }
 
-Nodes build_nodes(const mesh::Part& part, const std::vector<bool>& owned) {
+InitialPositions initial_positions(const mesh::Panel& panel, const std::vector<Vec3>& positions) {
+    InitialPositions initial;
+    const auto of_ply = positions.size() / panel.plies.size();
+    initial.in_plane.period.reserve(of_ply);
+    for (std::size_t n = 0; n < of_ply; ++n) initial.in_plane.period.push_back({positions[n].x(), positions[n].y()});
+    for (const auto& ply : panel.plies) initial.heights.push_back(ply.z);
+    return initial;
+}
+
+Nodes build_nodes(const mesh::Panel& panel, const mesh::Part& part, const std::vector<bool>& owned) {
     Nodes nodes;
     nodes.count = static_cast<std::int32_t>(part.node_ids.size());
     nodes.ids = part.node_ids;
     nodes.owned = owned;
-    nodes.x = nodes.initial = part.positions;
+    nodes.x = part.positions;
+    nodes.initial = initial_positions(panel, part.positions);
     nodes.v.assign(part.positions.size(), Vec3::Zero());
     nodes.supports = part.supports;
     nodes.force.resize(part.positions.size());
@@ -60,10 +70,13 @@ void build_groups(const scene::Scene& scene, const mesh::Panel& panel, const mes
         group_of[f] = static_cast<std::int32_t>(model.groups.size());
         model.groups.push_back(shell::make_element_group(scene.fabrics[f], by_fabric[f]));
     }
-    model.places.resize(part.element_ids.size());
-    for (std::size_t f = 0; f < by_fabric.size(); ++f)
-        for (std::size_t i = 0; i < by_fabric[f].size(); ++i)
-            model.places[static_cast<std::size_t>(by_fabric[f][i].element)] = {group_of[f], static_cast<std::int32_t>(i)};
+    const auto of_ply = static_cast<std::int32_t>(part.element_ids.size() / panel.plies.size());
+    std::vector<std::int32_t> placed(scene.fabrics.size(), 0);
+    for (const auto& ply : panel.plies) {
+        const auto f = static_cast<std::size_t>(ply.fabric);
+        model.places.append(of_ply, {group_of[f], placed[f]});
+        placed[f] += of_ply;
+    }
 }
 
 void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, const std::vector<double>& areas,
@@ -73,7 +86,7 @@ void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const me
         surface.facets.push_back({part.element_ids[e], part.element_nodes[e], part.element_plies[e]});
     surface.alive.assign(part.element_ids.size(), 1);
     surface.owned = static_cast<std::int32_t>(part.element_ids.size());
-    surface.areas = areas;
+    surface.areas.period.assign(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / panel.plies.size()));
     surface.symmetry = panel.symmetry;
     for (const auto& ply : panel.plies) {
         const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
@@ -102,10 +115,9 @@ bool Model::touches(std::int32_t element) const {
 }
 
 std::size_t Model::bytes() const {
-    std::size_t sum = nodes.x.size() * (3 * sizeof(Vec3) + sizeof(FixedVector) + sizeof(double) + sizeof(std::int64_t) + 1);
+    std::size_t sum = nodes.x.size() * (2 * sizeof(Vec3) + sizeof(FixedVector) + sizeof(double) + sizeof(std::int64_t) + 1);
     for (const auto& group : groups) sum += group->bytes();
-    return sum + surface.facets.size() * (sizeof(contact::Facet) + sizeof(contact::Box) + sizeof(double) + 1) +
-           places.size() * sizeof(ElementPlace);
+    return sum + surface.facets.size() * (sizeof(contact::Facet) + 1);
 }
 
 partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
@@ -121,7 +133,7 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const par
     const auto part = mesh::make_part(panel, decomposition.columns_of(comm.rank()));
     Model model;
     model.halo = partition::make_halo_plan(panel, decomposition, part, comm.rank());
-    model.nodes = build_nodes(part, model.halo.owned);
+    model.nodes = build_nodes(panel, part, model.halo.owned);
     model.global = {panel.nodes(), panel.elements(), part.element_ids};
     model.smallest_edge = panel.smallest_edge();
     build_groups(scene, panel, part, model);

@@ -1,7 +1,7 @@
 #include "weavefront/solver/motion.hpp"
 
 #include <cmath>
-#include <limits>
+#include <cstring>
 
 #include "weavefront/fabric/integers.hpp"
 #include "weavefront/fabric/vectors.hpp"
@@ -46,21 +46,33 @@ void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, d
         }
 }
 
-bool any_moved_across(std::span<const Vec3> now, std::span<const Vec3> before, double limit) {
-    constexpr double any = std::numeric_limits<double>::infinity();
-    alignas(64) const double limits[3 * together] = {limit, limit, any, limit, limit, any, limit, limit, any, limit, limit, any,
-                                                     limit, limit, any, limit, limit, any, limit, limit, any, limit, limit, any};
-    const auto whole = before.size() / together * together;
-    fabric::Mask far{};
-    for (std::size_t n = 0; n < whole; n += together)
-        for (std::size_t block = 0; block < 3; ++block) {
-            const auto at = block * together;
-            const Pack way = Pack::load_anywhere(now[n].data() + at) - Pack::load_anywhere(before[n].data() + at);
-            far = far | (abs(way) > Pack::load(limits + at));
-        }
-    bool found = fabric::any(far);
+Across across_of(std::span<const Vec3> positions) {
+    Across across(positions.size());
+    for (std::size_t n = 0; n < positions.size(); ++n)
+        across[n] = {static_cast<float>(positions[n].x()), static_cast<float>(positions[n].y())};
+    return across;
+}
+
+bool any_moved_across(std::span<const Vec3> now, const Across& before, double limit) {
+    using Floats [[gnu::vector_size(16)]] = float;
+    using TwoDoubles [[gnu::vector_size(16)]] = double;
+    using Doubles [[gnu::vector_size(32)]] = double;
+    using Bits [[gnu::vector_size(32)]] = std::int64_t;
+    const auto whole = before.size() / 2 * 2;
+    Bits far{};
+    for (std::size_t n = 0; n < whole; n += 2) {
+        Floats from;
+        TwoDoubles one, other;
+        std::memcpy(&from, before[n].data(), sizeof from);
+        std::memcpy(&one, now[n].data(), sizeof one);
+        std::memcpy(&other, now[n + 1].data(), sizeof other);
+        const Doubles way = __builtin_shufflevector(one, other, 0, 1, 2, 3) - __builtin_convertvector(from, Doubles);
+        far |= reinterpret_cast<Doubles>(reinterpret_cast<Bits>(way) & std::int64_t{0x7fffffffffffffff}) > limit;
+    }
+    bool found = (far[0] | far[1] | far[2] | far[3]) != 0;
     for (std::size_t n = whole; n < before.size(); ++n)
-        found = found || std::abs(now[n].x() - before[n].x()) > limit || std::abs(now[n].y() - before[n].y()) > limit;
+        for (std::size_t d = 0; d < 2; ++d)
+            found = found || std::abs(now[n][static_cast<Eigen::Index>(d)] - static_cast<double>(before[n][d])) > limit;
     return found;
 }
 

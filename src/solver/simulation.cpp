@@ -266,7 +266,7 @@ bool Simulation::moved_far() const {
     if (candidate_positions_.empty()) return false;
     // Footprints of facets may approach by the skin: each of a pair by half of it, half of that kept for the step that is under way.
     const double limit = model_.smallest_edge * skin_in_edges / 4;
-    if (model_.projectile && any_moved_across({&model_.projectile->position, 1}, {&candidate_projectile_, 1}, limit)) return true;
+    if (model_.projectile && (model_.projectile->position - candidate_projectile_).head<2>().cwiseAbs().maxCoeff() > limit) return true;
     return any_moved_across(model_.nodes.own_x(), candidate_positions_, limit);
 }
 
@@ -287,7 +287,7 @@ void Simulation::update_candidates() {
         model_.projectile_contact->update_candidates(model_.surface, nodes.x, *model_.projectile, skin);
         candidate_projectile_ = model_.projectile->position;
     }
-    candidate_positions_.assign(nodes.x.begin(), nodes.x.begin() + nodes.count);
+    candidate_positions_ = across_of(nodes.own_x());
 }
 
 shell::ElementOutput Simulation::element_output(std::int32_t element) const {

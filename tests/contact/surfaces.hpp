@@ -44,7 +44,7 @@ struct Plies {
                 const auto corners = contact::corners_of(facet.nodes, x);
                 surface.facets.push_back(facet);
                 surface.alive.push_back(1);
-                surface.areas.push_back((corners[2] - corners[0]).cross(corners[3] - corners[1]).norm() / 2);
+                surface.areas.period.push_back((corners[2] - corners[0]).cross(corners[3] - corners[1]).norm() / 2);
             }
         surface.owned = static_cast<std::int32_t>(surface.facets.size());
     }

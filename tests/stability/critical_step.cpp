@@ -80,9 +80,9 @@ class State {
         simulation.advance_forces();
     }
 
-    [[nodiscard]] Positions position(const Positions& initial, double time) const {
+    [[nodiscard]] Positions position(const solver::InitialPositions& initial, double time) const {
         Positions x;
-        for (const auto& at : initial) x.push_back(path_(time, at));
+        for (std::size_t n = 0; n < initial.size(); ++n) x.push_back(path_(time, initial[n]));
         return x;
     }
 

@@ -9,8 +9,8 @@
 
 #include "weavefront/contact/frame.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
-#include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/quadrature.hpp"
+#include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
 
 namespace weavefront::contact {
@@ -42,9 +42,8 @@ class FrameContact {
     std::vector<FrameShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;    ///< by ply
     Quadrature quadrature_;
-    std::vector<std::int32_t> rules_;         ///< of the owned facets
-    std::vector<std::vector<Point>> points_;  ///< of the owned facets; empty away from the frame
-    std::vector<double> reserves_;            ///< of the owned facets, J/m2: see PenaltyLaw
+    mesh::Repeated<std::int32_t> rules_;        ///< of the owned facets
+    FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets
 };
 
 }  // namespace weavefront::contact

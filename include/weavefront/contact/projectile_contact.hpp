@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "weavefront/contact/nodal_normals.hpp"
-#include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/projectile.hpp"
 #include "weavefront/contact/quadrature.hpp"
+#include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
 
 namespace weavefront::contact {
@@ -39,7 +39,10 @@ class ProjectileContact {
                   const ProjectileState& projectile, double dt, std::vector<PairForce>& forces);
 
     /// Whether any point of an owned facet remembers a penetration, or may soon.
-    [[nodiscard]] bool touches(std::int32_t facet) const { return !points_[static_cast<std::size_t>(facet)].empty(); }
+    [[nodiscard]] bool touches(std::int32_t facet) const {
+        const auto* memory = memories_.find(facet);
+        return memory && !memory->points.empty();
+    }
     /// Memory of the points of an owned facet, to be taken up on another rank.
     void save(std::int32_t facet, std::vector<double>& record) const;
     /// @param record of `save`, with anything after it. @return what comes after it
@@ -54,10 +57,9 @@ class ProjectileContact {
     std::vector<ProjectileShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;         ///< by ply
     Quadrature quadrature_;
-    std::vector<std::int32_t> rules_;         ///< of the owned facets
-    std::vector<std::int32_t> candidates_;    ///< owned facets
-    std::vector<std::vector<Point>> points_;  ///< of the owned facets; empty away from the projectile
-    std::vector<double> reserves_;            ///< of the owned facets, J/m2: see PenaltyLaw
+    mesh::Repeated<std::int32_t> rules_;        ///< of the owned facets
+    std::vector<std::int32_t> candidates_;      ///< owned facets
+    FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets
 };
 
 }  // namespace weavefront::contact

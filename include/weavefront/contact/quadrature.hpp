@@ -37,7 +37,11 @@ class Quadrature {
 
     [[nodiscard]] bool at_nodes() const { return !spacing_; }
 
-    [[nodiscard]] const QuadratureRule& rule(std::int32_t index) const { return rules_[static_cast<std::size_t>(index)].points; }
+    [[nodiscard]] const QuadratureRule& rule(std::int32_t index) const {
+        const auto& rule = rules_[static_cast<std::size_t>(index)];
+        if (rule.points.empty()) rule.points = quadrature(rule.n, rule.m);
+        return rule.points;
+    }
 
     /// Corners of the part of an element that its points span. @param corners of the element, m
     [[nodiscard]] std::array<Vec3, 4> spanned(std::int32_t index, const std::array<Vec3, 4>& corners) const;
@@ -45,7 +49,7 @@ class Quadrature {
   private:
     struct Rule {
         int n, m;
-        QuadratureRule points;
+        mutable QuadratureRule points;  ///< none before the rule is first used: most elements never touch anything
     };
     std::optional<double> spacing_;
     int most_;

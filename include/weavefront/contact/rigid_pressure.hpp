@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "weavefront/contact/depth.hpp"
+#include "weavefront/contact/facet_memory.hpp"
 #include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/surface.hpp"
@@ -36,15 +37,41 @@ inline Vec3 push_direction(const Vec3& of_ply, const Vec3& of_body) {
     return (facing > 0 ? 1 : -1) / length * of_ply;
 }
 
+/// What a facet remembers of a rigid body. `Point` has a member `penetration`.
+template <class Point>
+struct RigidMemory {
+    std::vector<Point> points;  ///< none away from the body
+    double reserve = 0;         ///< see PenaltyLaw::advance, J/m2
+};
+
+/// Forgets the points of a facet, which is away from the body.
+template <class Point>
+void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet) {
+    auto* memory = memories.find(facet);
+    if (!memory) return;
+    if (memory->reserve == 0)
+        memories.forget(facet);
+    else
+        memory->points = std::vector<Point>();
+}
+
+/// Rules of the initial shapes of a surface's owned facets. @param x initial positions, m
+inline mesh::Repeated<std::int32_t> rules_for(Quadrature& quadrature, const Surface& surface, std::span<const Vec3> x) {
+    mesh::Repeated<std::int32_t> rules;
+    rules.period.reserve(surface.areas.period.size());
+    for (std::size_t f = 0; f < surface.areas.period.size(); ++f)
+        rules.period.push_back(quadrature.rule_for(corners_of(surface.facets[f].nodes, x)));
+    return rules;
+}
+
 /// Integrates the pressure over the points of a facet.
 /// @param x, v    positions and velocities of the nodes, m, m/s
 /// @param dt      the last step, s
-/// @param points  memory of the points, a `Point` with a member `penetration`
-/// @param reserve of the facet: see PenaltyLaw::advance, J/m2
 /// @param depth   function of a position and of the memory of the point: its depth in the body, or nothing
 template <class Point, class DepthOf>
-PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt, std::vector<Point>& points,
-                double& reserve, DepthOf depth) {
+PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt, RigidMemory<Point>& memory,
+                DepthOf depth) {
+    auto& points = memory.points;
     if (points.empty()) points.resize(pair.rule.size() * batch_width);
     const auto corners = corners_of(pair.facet.nodes, x), velocities = corners_of(pair.facet.nodes, v);
     PairForce sum(pair.facet.nodes, pair.body);
@@ -62,27 +89,33 @@ PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const 
             const Vec3 direction =
                 pair.normals ? push_direction(Vec3(normal.x[i], normal.y[i], normal.z[i]), found->normal) : found->normal;
             const double closing = (pair.body_velocity - Vec3(velocity.x[i], velocity.y[i], velocity.z[i])).dot(direction);
-            const double pressure = pair.law.advance(point.penetration, found->depth, closing, dt, batch.share[i], reserve);
+            const double pressure = pair.law.advance(point.penetration, found->depth, closing, dt, batch.share[i], memory.reserve);
             sum.add(pressure * pair.area * batch.share[i] * direction, batch.N, i);
         }
     }
     return sum;
 }
 
-/// Appends the reserve of a facet (J/m2) and the penetrations of its points, for another rank.
+/// Appends the memory of a facet for another rank: its reserve (J/m2) and the penetrations of its points.
 template <class Point>
-void save_points(double reserve, const std::vector<Point>& points, std::vector<double>& record) {
-    record.insert(record.end(), {reserve, static_cast<double>(points.size())});
-    for (const auto& point : points) record.insert(record.end(), {point.penetration.present, point.penetration.largest});
+void save_points(const RigidMemory<Point>& memory, std::vector<double>& record) {
+    record.insert(record.end(), {memory.reserve, static_cast<double>(memory.points.size())});
+    for (const auto& point : memory.points) record.insert(record.end(), {point.penetration.present, point.penetration.largest});
 }
 
-/// Takes up what save_points wrote. @return what comes after it
+/// Takes up what another rank remembered of a facet, if anything.
 template <class Point>
-std::span<const double> restore_points(double& reserve, std::vector<Point>& points, std::span<const double> record) {
+void keep(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet, RigidMemory<Point> memory) {
+    if (memory.reserve != 0 || !memory.points.empty()) memories.take(facet) = std::move(memory);
+}
+
+/// Reads what save_points wrote. @return what comes after it
+template <class Point>
+std::span<const double> restore_points(RigidMemory<Point>& memory, std::span<const double> record) {
     auto next = record.begin();
-    reserve = *next++;
-    points.resize(static_cast<std::size_t>(*next++));
-    for (auto& point : points) {
+    memory.reserve = *next++;
+    memory.points.resize(static_cast<std::size_t>(*next++));
+    for (auto& point : memory.points) {
         point.penetration.present = *next++;
         point.penetration.largest = *next++;
     }

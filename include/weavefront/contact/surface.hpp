@@ -8,16 +8,23 @@
 #include <vector>
 
 #include "weavefront/contact/lanes.hpp"
+#include "weavefront/mesh/repeated.hpp"
 #include "weavefront/mesh/vec3.hpp"
 
 namespace weavefront::contact {
 
-/// A quad of a ply.
+/// A quad of a ply. There is one for every element of a rank, so its numbers take no more room than they need.
 struct Facet {
-    std::int64_t id = 0;                  ///< global element
-    std::array<std::int32_t, 4> nodes{};  ///< local, counter-clockwise about +z; beyond the owned nodes: ghosts
-    std::int32_t ply = 0;
+    std::int64_t id : 48;  ///< global element
+    std::int32_t ply : 16;
+    std::array<std::int32_t, 4> nodes;  ///< local, counter-clockwise about +z; beyond the owned nodes: ghosts
+
+    Facet() : Facet(0, {}, 0) {}
+    /// @param global_id below 2^47 @param ply_index below 2^15
+    Facet(std::int64_t global_id, const std::array<std::int32_t, 4>& corners, std::int32_t ply_index)
+        : id(global_id & 0x7fff'ffff'ffff), ply(ply_index & 0x7fff), nodes(corners) {}
 };
+static_assert(sizeof(Facet) == 24);
 
 /// What the plies have in common, by ply.
 struct PlyProperties {
@@ -31,7 +38,7 @@ struct Surface {
     std::vector<Facet> facets;        ///< owned ones first
     std::vector<std::uint8_t> alive;  ///< of each facet
     std::int32_t owned = 0;           ///< number of owned facets
-    std::vector<double> areas;        ///< initial areas of the owned facets, m2
+    mesh::Repeated<double> areas;     ///< initial areas of the owned facets, m2: these repeat as the initial shapes do
     std::vector<PlyProperties> plies;
     std::array<bool, 2> symmetry{};  ///< the plane x = 0 (y = 0) is one of symmetry
 };

@@ -34,49 +34,66 @@ struct State {
     Real friction_work = 0.0;   ///< work of friction per reference area, J/m2
 };
 
+/// Fields that are stored together.
+enum class Fields {
+    all,
+    changing,  ///< in every state that is not at rest
+    packing,   ///< nothing but zeros as long as no yarns pack (consistent)
+    damage     ///< nothing but ones as long as no yarn is broken
+};
+
 /// Calls `visit` with each field of `state` that F needs, in the order in which they are stored.
-template <Features F, class AnyState, class Visit>
+template <Features F, Fields which = Fields::all, class AnyState, class Visit>
 WEAVEFRONT_INLINE constexpr void for_each_field(AnyState& state, Visit visit) {
     const auto all_of = [&visit](auto&... fields) __attribute__((always_inline)) { (visit(fields), ...); };
-    all_of(state.lambda_f, state.lambda_w, state.N_f, state.N_w, state.work);
-    if constexpr (F.follows_angle()) all_of(state.cos_2theta, state.phi);
-    if constexpr (F.paper() || F.lateral) all_of(state.m);
-    if constexpr (F.crimp) all_of(state.h_f);
-    if constexpr (F.viscous) all_of(state.sigma_f, state.sigma_w);
-    if constexpr (F.failure) all_of(state.intact_f, state.intact_w);
-    if constexpr (F.lateral) all_of(state.alpha);
-    if constexpr (F.lateral && !F.paper()) all_of(state.p_f, state.p_w, state.q);
-    if constexpr (F.lateral && F.paper()) all_of(state.sigma_22_f, state.sigma_12_f, state.sigma_22_w, state.sigma_12_w);
-    if constexpr (F.friction) all_of(state.friction_work);
-    if constexpr (F.friction && !F.paper()) all_of(state.friction_moment, state.friction_limit);
-    if constexpr (F.friction && F.paper()) all_of(state.friction_stretch, state.friction_turn);
+    constexpr bool all = which == Fields::all;
+    if constexpr (all || which == Fields::changing) {
+        all_of(state.lambda_f, state.lambda_w, state.N_f, state.N_w, state.work);
+        if constexpr (F.follows_angle()) all_of(state.cos_2theta, state.phi);
+        if constexpr (F.crimp) all_of(state.h_f);
+        if constexpr (F.viscous) all_of(state.sigma_f, state.sigma_w);
+        if constexpr (F.paper()) all_of(state.m);
+        if constexpr (F.paper() && F.lateral) all_of(state.alpha, state.sigma_22_f, state.sigma_12_f, state.sigma_22_w, state.sigma_12_w);
+        if constexpr (F.friction) all_of(state.friction_work);
+        if constexpr (F.friction && !F.paper()) all_of(state.friction_moment, state.friction_limit);
+        if constexpr (F.friction && F.paper()) all_of(state.friction_stretch, state.friction_turn);
+    }
+    if constexpr ((all || which == Fields::packing) && F.lateral && !F.paper()) all_of(state.alpha, state.p_f, state.p_w, state.q, state.m);
+    if constexpr ((all || which == Fields::damage) && F.failure) all_of(state.intact_f, state.intact_w);
 }
 
-/// Number of Reals that a stored state of F takes.
-template <Features F>
+/// Number of Reals that the stored fields of F take.
+template <Features F, Fields which = Fields::all>
 [[nodiscard]] constexpr int state_size() {
     int size = 0;
     State<double> state;
-    for_each_field<F>(state, [&size](double&) { ++size; });
+    for_each_field<F, which>(state, [&size](double&) { ++size; });
     return size;
 }
 
-/// Reads a state. @param from state_size<F>() fields of width<Real> lanes: field i of lane l at [i width + l]; 64-byte aligned for a pack
-template <Features F, class Real>
-[[nodiscard]] WEAVEFRONT_INLINE State<Real> load_state(const double* from) {
-    State<Real> state;
-    for_each_field<F>(
+/// Reads fields into a state.
+/// @param from state_size<F, which>() fields of width<Real> lanes: field i of lane l at [i width + l]; 64-byte aligned for a pack
+template <Features F, class Real, Fields which = Fields::all>
+WEAVEFRONT_INLINE void load_fields(State<Real>& state, const double* from) {
+    for_each_field<F, which>(
         state, [&from](Real & field) __attribute__((always_inline)) {
             field = RealTraits<Real>::load(from);
             from += width<Real>;
         });
+}
+
+/// The state with all its fields, as load_fields reads them.
+template <Features F, class Real>
+[[nodiscard]] WEAVEFRONT_INLINE State<Real> load_state(const double* from) {
+    State<Real> state;
+    load_fields<F, Real>(state, from);
     return state;
 }
 
-/// Writes a state, laid out as load_state reads it.
-template <Features F, class Real>
+/// Writes fields of a state, laid out as load_fields reads them.
+template <Features F, class Real, Fields which = Fields::all>
 WEAVEFRONT_INLINE void store_state(const State<Real>& state, double* to) {
-    for_each_field<F>(
+    for_each_field<F, which>(
         state, [&to](const Real& field) __attribute__((always_inline)) {
             RealTraits<Real>::store(field, to);
             to += width<Real>;

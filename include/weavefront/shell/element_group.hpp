@@ -13,7 +13,9 @@
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/shell/aligned_vector.hpp"
 #include "weavefront/shell/hourglass.hpp"
+#include "weavefront/shell/pack_blocks.hpp"
 #include "weavefront/shell/quad.hpp"
+#include "weavefront/shell/repeated_quads.hpp"
 
 namespace weavefront::shell {
 
@@ -62,21 +64,28 @@ struct Condition {
     std::vector<std::int32_t> inverted;  ///< local indices in the part
 };
 
+/// Stored fields of a fabric's state, by how many packs need them.
+struct StateSizes {
+    int changing, packing, damage;  ///< of damage with that of the element, none where the fabric does not break
+};
+
 /// State and kernel of the elements that share a fabric. What the fabric does not ask for has neither state nor code here.
 class ElementGroup {
   public:
     virtual ~ElementGroup() = default;
 
-    /// Number of packs; the last one may be padded with lanes of no area.
+    /// Number of packs; where the last one is not full, elements of before fill its lanes.
     [[nodiscard]] std::int32_t packs() const { return packs_; }
-    [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(elements_.size()); }
-    /// Local element of lane i % 8 of pack i / 8, ascending.
-    [[nodiscard]] std::span<const std::int32_t> elements() const { return elements_; }
+    [[nodiscard]] std::int32_t size() const { return size_; }
+    /// Local element of lane index % 8 of pack index / 8, ascending.
+    [[nodiscard]] std::int32_t element(std::int32_t index) const;
     /// Corner nodes of a pack: [corner][lane].
     [[nodiscard]] const std::array<std::array<std::int32_t, pack_width>, 4>& nodes(std::int32_t pack) const {
         return nodes_[static_cast<std::size_t>(pack)];
     }
-    [[nodiscard]] bool alive(std::int32_t index) const { return quad(index, 6) > 0; }
+    [[nodiscard]] bool alive(std::int32_t index) const {
+        return damage_.fields() == 0 || damage_.get(index / pack_width, alive_field, index % pack_width) > 0;
+    }
     /// Bytes held per element.
     [[nodiscard]] std::size_t bytes() const;
 
@@ -101,27 +110,41 @@ class ElementGroup {
     /// @param record of `save`, with anything after it. @return what comes after it
     std::span<const double> restore(std::int32_t index, std::span<const double> record);
 
-    /// Takes an element out (inverted, or broken); what it leaves behind.
+    /// Takes an element of a fabric that breaks out; what it leaves behind.
     Events::Erosion erode(std::int32_t index);
 
   protected:
-    ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, int state_size);
+    ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, const StateSizes& sizes);
 
-    /// Field i of the Quad of an element.
-    [[nodiscard]] double quad(std::int32_t index, int field) const { return quads_[slot(index, field, quad_size)]; }
+    /// Reference geometry of an element, eroded or not.
+    [[nodiscard]] Quad<double> whole_quad(std::int32_t index) const { return quads_.of(index % quads_.period()); }
+    [[nodiscard]] double area(std::int32_t index) const { return alive(index) ? whole_quad(index).area : 0.0; }
     [[nodiscard]] double hourglass_energy(std::int32_t index) const { return hourglass_energy_[static_cast<std::size_t>(index)]; }
-    static std::size_t slot(std::int32_t index, int field, int fields) {
-        return static_cast<std::size_t>((index / pack_width * fields + field) * pack_width + index % pack_width);
+    std::size_t slot(std::int32_t index, int field) const {
+        return static_cast<std::size_t>((index / pack_width * changing_fields_ + field) * pack_width + index % pack_width);
     }
-    void clear_quad(std::int32_t index);
+    void take_out(std::int32_t index) { damage_.set(index / pack_width, alive_field, index % pack_width, 0); }
 
-    std::int32_t packs_ = 0;
-    int state_size_;
+    /// Of damage_: 1, or 0 once the element is eroded. The fabric's flags follow it.
+    static constexpr int alive_field = 0;
+
+    std::int32_t size_, packs_;
     HourglassStiffness hourglass_;
     double areal_density_ = 0;
-    std::vector<std::int32_t> elements_;
     std::vector<std::array<std::array<std::int32_t, pack_width>, 4>> nodes_;
-    AlignedVector<double> quads_, state_, hourglass_energy_;
+    RepeatedQuads quads_;
+    AlignedVector<double> state_, hourglass_energy_;
+    PackBlocks packing_;  ///< zeros in packs whose yarns do not pack
+    PackBlocks damage_;   ///< ones in packs that are whole
+
+  private:
+    /// Elements of consecutive local indices.
+    struct Run {
+        std::int32_t first, element;  ///< index in the group, local index in the part
+    };
+
+    int changing_fields_;
+    std::vector<Run> runs_;
 };
 
 /// The group with exactly the features that the fabric asks for.

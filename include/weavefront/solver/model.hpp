@@ -18,15 +18,11 @@
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/shell/element_group.hpp"
 #include "weavefront/solver/assembly.hpp"
+#include "weavefront/solver/element_places.hpp"
 #include "weavefront/solver/ghosts.hpp"
 #include "weavefront/solver/nodes.hpp"
 
 namespace weavefront::solver {
-
-/// Where an element stands among the groups.
-struct ElementPlace {
-    std::int32_t group = 0, index = 0;
-};
 
 /// The global size and the ids by which results are ordered.
 struct GlobalIds {
@@ -38,7 +34,7 @@ struct GlobalIds {
 struct Model {
     Nodes nodes;
     std::vector<std::unique_ptr<shell::ElementGroup>> groups;  ///< one a fabric
-    std::vector<ElementPlace> places;                          ///< of the owned elements
+    ElementPlaces places;                                      ///< of the owned elements
     contact::Surface surface;
     contact::NodalNormals normals;  ///< of the plies, for contact
     partition::HaloPlan halo;

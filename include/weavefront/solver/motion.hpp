@@ -2,7 +2,9 @@
 /// @file
 /// The steps of the nodes that touch each of them, eight nodes at once.
 
+#include <array>
 #include <span>
+#include <vector>
 
 #include "weavefront/parallel/fixed_point.hpp"
 #include "weavefront/solver/nodes.hpp"
@@ -15,7 +17,12 @@ namespace weavefront::solver {
 /// @param dt    this step, s
 void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, double dt);
 
+/// Where nodes were across z, m. Single precision: some nanometres are nothing to the skin of a search.
+using Across = std::vector<std::array<float, 2>>;
+
+[[nodiscard]] Across across_of(std::span<const Vec3> positions);
+
 /// Whether a position differs from the one before by more than `limit` along x or y.
-[[nodiscard]] bool any_moved_across(std::span<const Vec3> now, std::span<const Vec3> before, double limit);
+[[nodiscard]] bool any_moved_across(std::span<const Vec3> now, const Across& before, double limit);
 
 }  // namespace weavefront::solver

@@ -11,6 +11,7 @@
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/solver/balance.hpp"
 #include "weavefront/solver/model.hpp"
+#include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/phases.hpp"
 
 namespace weavefront::solver {
@@ -101,7 +102,7 @@ class Simulation {
     shell::AlignedVector<double> pack_forces_;
 
     bool candidates_outdated_ = true;
-    std::vector<Vec3> candidate_positions_;  // of the nodes when candidates were last chosen
+    Across candidate_positions_;  // of the nodes when candidates were last chosen
     Vec3 candidate_projectile_{0, 0, 0};
     std::vector<std::int32_t> just_eroded_;
 

@@ -1,0 +1,18 @@
+#pragma once
+/// @file
+/// Values that repeat from ply to ply.
+
+#include <cstddef>
+#include <vector>
+
+namespace weavefront::mesh {
+
+/// Values of the elements (or nodes) of a part where every ply has the same: plies stand over one grid of columns. One ply's are stored.
+template <class T>
+struct Repeated {
+    std::vector<T> period;
+
+    [[nodiscard]] const T& operator[](std::size_t index) const { return period[index % period.size()]; }
+};
+
+}  // namespace weavefront::mesh

@@ -1,0 +1,51 @@
+/// Reference geometry that repeats is stored once and read back as it was.
+
+#include "weavefront/shell/repeated_quads.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace weavefront::test {
+namespace {
+
+std::vector<shell::Quad<double>> random_quads(std::size_t count) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> one(0, 1);
+    std::vector<shell::Quad<double>> quads(count);
+    for (auto& q : quads) q = {one(random), one(random), one(random), one(random), one(random), one(random), one(random), one(random)};
+    return quads;
+}
+
+TEST(RepeatedQuads, ReadBackAsTheyWereFromOnePeriod) {
+    for (const std::size_t period : {1, 3, 7, 8, 12, 20})
+        for (const std::size_t count : {1, 5, 8, 24, 61}) {
+            const auto own = random_quads(period);
+            std::vector<shell::Quad<double>> quads;
+            for (std::size_t i = 0; i < count; ++i) quads.push_back(own[i % period]);
+            const shell::RepeatedQuads repeated(quads);
+            ASSERT_EQ(repeated.period(), static_cast<std::int32_t>(std::min(period, count)));
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto at = static_cast<std::int32_t>(i) % repeated.period();
+                ASSERT_EQ(repeated.of(at).Bf1, quads[i].Bf1);
+                ASSERT_EQ(repeated.of(at).shape, quads[i].shape);
+                const auto pack = repeated.pack_from(at);
+                for (std::size_t lane = 0; lane < 8 && i + lane < count; ++lane) {
+                    ASSERT_EQ(pack.Bw2.get(static_cast<int>(lane)), quads[i + lane].Bw2);
+                    ASSERT_EQ(pack.area.get(static_cast<int>(lane)), quads[i + lane].area);
+                }
+            }
+        }
+}
+
+TEST(RepeatedQuads, OneThatDiffersInTheLastBitIsKept) {
+    auto quads = random_quads(4);
+    quads.insert(quads.end(), quads.begin(), quads.begin() + 4);
+    quads[6].e1 = std::nextafter(quads[6].e1, 2);
+    const shell::RepeatedQuads repeated(quads);
+    EXPECT_EQ(repeated.of(6 % repeated.period()).e1, quads[6].e1);
+    EXPECT_EQ(repeated.of(2).e1, quads[2].e1);
+}
+
+}  // namespace
+}  // namespace weavefront::test

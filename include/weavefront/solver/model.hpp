@@ -40,7 +40,7 @@ struct Model {
     std::vector<ElementPlace> places;                          ///< of the owned elements
     contact::Surface surface;
     partition::HaloPlan halo;
-    Links links;
+    ForceExchange exchange;
     Assembly assembly;
     GlobalIds global;
     double smallest_edge = 0;  ///< of all elements, m

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "weavefront/mesh/part.hpp"
-#include "weavefront/partition/cost.hpp"
+#include "weavefront/partition/run_decomposition.hpp"
 
 namespace weavefront::solver {
 
@@ -107,10 +107,11 @@ std::size_t Model::bytes() const {
            places.size() * sizeof(ElementPlace);
 }
 
-partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
+partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, double ghost_reach,
+                                               const parallel::Communicator& comm) {
     partition::Decomposition decomposition{comm.size(), {}};
     if (comm.size() > panel.columns()) return partition::decompose(panel, {}, comm.size());  // throws on every rank
-    if (comm.rank() == 0) decomposition = partition::decompose(panel, partition::column_costs(panel, scene), comm.size());
+    if (comm.rank() == 0) decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach);
     comm.broadcast(decomposition.owner);
     return decomposition;
 }

@@ -66,7 +66,7 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
     : scene_(scene),
       comm_(comm),
       panel_(mesh::make_panel(scene)),
-      model_(build_model(scene, panel_, initial_decomposition(scene, panel_, comm), comm)),
+      model_(build_model(scene, panel_, initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
       multiplicity_(panel_.multiplicity()) {
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     contact_frequency_squared_ = contact_frequency_squared(scene);

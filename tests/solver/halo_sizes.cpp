@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "small_scene.hpp"
-#include "weavefront/partition/cost.hpp"
+#include "weavefront/partition/run_decomposition.hpp"
 
 namespace weavefront::solver::test {
 namespace {
@@ -16,7 +16,7 @@ TEST(HaloSizes, AreThoseOfTheLinks) {
         const parallel::Communicator comm(MPI_COMM_WORLD);
         const Simulation simulation(scene, comm);
         const auto& panel = simulation.panel();
-        const auto decomposition = partition::decompose(panel, partition::column_costs(panel, scene), comm.size());
+        const auto decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach(scene, panel));
         const auto sizes = partition::halo_sizes(panel, decomposition, ghost_reach(scene, panel));
         const auto& mine = sizes[static_cast<std::size_t>(comm.rank())];
 

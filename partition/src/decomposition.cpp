@@ -118,7 +118,7 @@ Decomposition decompose(const mesh::Panel& panel, std::span<const std::vector<st
     for (std::size_t s = 0; s < shares.size(); ++s) {
         for (std::size_t c = 0; c < columns; ++c) weights[c * shares.size() + s] = shares[s][c];
         const auto of_part = static_cast<double>(std::accumulate(shares[s].begin(), shares[s].end(), std::int64_t{0})) / parts;
-        imbalances.push_back(static_cast<real_t>(1 + std::max(0.01, 0.5 / of_part)));  // half a column, where that is more
+        imbalances.push_back(static_cast<real_t>(1 + std::max(0.01, 0.5 * *std::ranges::max_element(shares[s]) / of_part)));
     }
     return partition(panel, std::move(weights), parts,
                      {METIS_PartGraphRecursive, static_cast<idx_t>(shares.size()), seed, 10, std::move(imbalances)});

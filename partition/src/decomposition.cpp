@@ -63,18 +63,37 @@ std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights) {
     return scaled;
 }
 
-std::vector<idx_t> metis_kway(Graph& graph, std::vector<idx_t>& weights, idx_t parts) {
-    auto vertices = static_cast<idx_t>(weights.size());
-    idx_t constraints = 1, cut = 0;
+/// What differs from one call of METIS to the other. Weights lie column by column.
+struct Call {
+    decltype(&METIS_PartGraphKway) method;
+    idx_t constraints, seed, imbalance_in_thousandths;
+    std::vector<real_t> imbalances;  ///< of each constraint; none: as in thousandths
+};
+
+Decomposition partition(const mesh::Panel& panel, std::vector<idx_t> weights, int parts, Call call) {
+    Decomposition decomposition{parts, std::vector<std::int32_t>(static_cast<std::size_t>(panel.columns()), 0)};
+    if (parts == 1) return decomposition;
+    auto graph = column_graph(panel);
+    auto vertices = static_cast<idx_t>(panel.columns());
+    idx_t parts_wanted = parts, cut = 0;
     std::array<idx_t, METIS_NOPTIONS> options{};
     METIS_SetDefaultOptions(options.data());
-    options[METIS_OPTION_SEED] = 1;
-    options[METIS_OPTION_UFACTOR] = 5;  // imbalance 1.005
-    std::vector<idx_t> owner(weights.size());
-    const int status = METIS_PartGraphKway(&vertices, &constraints, graph.first.data(), graph.neighbours.data(), weights.data(), nullptr,
-                                           nullptr, &parts, nullptr, nullptr, options.data(), &cut, owner.data());
+    options[METIS_OPTION_SEED] = call.seed;
+    options[METIS_OPTION_UFACTOR] = call.imbalance_in_thousandths;
+    std::vector<idx_t> owner(decomposition.owner.size());
+    const int status =
+        call.method(&vertices, &call.constraints, graph.first.data(), graph.neighbours.data(), weights.data(), nullptr, nullptr,
+                    &parts_wanted, nullptr, call.imbalances.empty() ? nullptr : call.imbalances.data(), options.data(), &cut, owner.data());
     if (status != METIS_OK) throw std::runtime_error("METIS could not partition the target (status " + std::to_string(status) + ")");
-    return owner;
+    decomposition.owner.assign(owner.begin(), owner.end());
+    fill_empty_parts(decomposition);
+    return decomposition;
+}
+
+void require_columns(const mesh::Panel& panel, int parts) {
+    if (parts > panel.columns())
+        throw std::invalid_argument(std::to_string(parts) + " ranks for a target of " + std::to_string(panel.columns()) +
+                                    " columns: use at most that many");
 }
 
 }  // namespace
@@ -87,17 +106,22 @@ std::vector<std::int64_t> Decomposition::columns_of(int part) const {
 }
 
 Decomposition decompose(const mesh::Panel& panel, std::span<const std::int32_t> weights, int parts) {
-    if (parts > panel.columns())
-        throw std::invalid_argument(std::to_string(parts) + " ranks for a target of " + std::to_string(panel.columns()) +
-                                    " columns: use at most that many");
-    Decomposition decomposition{parts, std::vector<std::int32_t>(static_cast<std::size_t>(panel.columns()), 0)};
-    if (parts == 1) return decomposition;
-    auto graph = column_graph(panel);
-    auto scaled = metis_weights(weights);
-    const auto owner = metis_kway(graph, scaled, parts);
-    decomposition.owner.assign(owner.begin(), owner.end());
-    fill_empty_parts(decomposition);
-    return decomposition;
+    require_columns(panel, parts);
+    return partition(panel, metis_weights(weights), parts, {METIS_PartGraphKway, 1, 1, 5, {}});
+}
+
+Decomposition decompose(const mesh::Panel& panel, std::span<const std::vector<std::int32_t>> shares, int parts, int seed) {
+    require_columns(panel, parts);
+    const auto columns = static_cast<std::size_t>(panel.columns());
+    std::vector<idx_t> weights(columns * shares.size());
+    std::vector<real_t> imbalances;
+    for (std::size_t s = 0; s < shares.size(); ++s) {
+        for (std::size_t c = 0; c < columns; ++c) weights[c * shares.size() + s] = shares[s][c];
+        const auto of_part = static_cast<double>(std::accumulate(shares[s].begin(), shares[s].end(), std::int64_t{0})) / parts;
+        imbalances.push_back(static_cast<real_t>(1 + std::max(0.01, 0.5 * *std::ranges::max_element(shares[s]) / of_part)));
+    }
+    return partition(panel, std::move(weights), parts,
+                     {METIS_PartGraphRecursive, static_cast<idx_t>(shares.size()), seed, 10, std::move(imbalances)});
 }
 
 std::int64_t cut_edges(const Decomposition& decomposition, const mesh::Panel& panel) {

@@ -83,14 +83,14 @@ Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Dec
     const auto sizes = halo_sizes(panel, decomposition, ghost_reach);
     const Work work(scene, panel, decomposition, sizes, machine);
     Forecast result{.ranks = decomposition.parts, .columns = panel.columns(), .elements = panel.elements()};
-    std::vector<double> whole(sizes.size()), elements;
+    std::vector<double> elements;
+    double most_work = 0, all_work = 0;
     for (int moment = 0; moment < moments; ++moment) {
         const auto now = work.at(moment);
         double most = 0;
-        for (std::size_t p = 0; p < now.size(); ++p) {
-            whole[p] += now[p];
-            most = std::max(most, now[p] + exchange(machine, sizes[p]));
-        }
+        for (std::size_t p = 0; p < now.size(); ++p) most = std::max(most, now[p] + exchange(machine, sizes[p]));
+        most_work += *std::ranges::max_element(now);
+        all_work += std::accumulate(now.begin(), now.end(), 0.0);
         result.seconds += most / moments;
     }
     if (decomposition.parts > 1) result.seconds += reductions_per_step * machine.reduction * std::ceil(std::log2(decomposition.parts));
@@ -101,7 +101,7 @@ Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Dec
         result.halo_bytes += part.bytes_sent;
     }
     result.element_imbalance = over_mean(elements);
-    result.cost_imbalance = over_mean(whole);
+    result.cost_imbalance = most_work * static_cast<double>(sizes.size()) / all_work;
     result.cut_edges = cut_edges(decomposition, panel);
     return result;
 }

@@ -1,8 +1,8 @@
 #include "weavefront/partition/halo_sizes.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <span>
+#include <utility>
 
 namespace weavefront::partition {
 
@@ -10,47 +10,25 @@ namespace {
 
 /// Columns [first, end) of one axis.
 struct Range {
-    std::int64_t first = std::numeric_limits<std::int64_t>::max(), end = 0;
-
-    void include(std::int64_t i) { first = std::min(first, i), end = std::max(end, i + 1); }
-    [[nodiscard]] bool has(std::int64_t i) const { return i >= first && i < end; }
+    std::int64_t first, end;
 };
 
-struct Box {
-    Range i, j;
-};
-
-std::vector<Box> bounding_boxes(const mesh::Panel& panel, const Decomposition& decomposition) {
-    std::vector<Box> boxes(static_cast<std::size_t>(decomposition.parts));
-    for (std::int64_t column = 0; column < panel.columns(); ++column) {
-        auto& box = boxes[static_cast<std::size_t>(decomposition.owner[static_cast<std::size_t>(column)])];
-        box.i.include(column % panel.columns_x());
-        box.j.include(column / panel.columns_x());
-    }
-    return boxes;
+/// Of each column of an axis, itself and all within `reach`. @param lines grid lines of the axis, m
+std::vector<Range> within_reach(const std::vector<double>& lines, double reach) {
+    std::vector<Range> ranges;
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i)
+        ranges.push_back({std::lower_bound(lines.begin() + 1, lines.end(), lines[i] - reach) - (lines.begin() + 1),
+                          std::upper_bound(lines.begin(), lines.end() - 1, lines[i + 1] + reach) - lines.begin()});
+    return ranges;
 }
 
-/// The range and all columns within `reach` of it. @param lines grid lines of the axis, m
-Range widened(const Range& range, const std::vector<double>& lines, double reach) {
-    const double low = lines[static_cast<std::size_t>(range.first)] - reach, high = lines[static_cast<std::size_t>(range.end)] + reach;
-    const auto first = std::lower_bound(lines.begin() + 1, lines.end(), low) - (lines.begin() + 1);
-    const auto end = std::upper_bound(lines.begin(), lines.end() - 1, high) - lines.begin();
-    return {first, end};
+/// Sorts and leaves each once.
+template <class T>
+void leave_each_once(std::vector<T>& values) {
+    std::ranges::sort(values);
+    const auto again = std::ranges::unique(values);
+    values.erase(again.begin(), again.end());
 }
-
-/// Counts each pair of parts once.
-class Pairs {
-  public:
-    void add(std::int32_t from, std::int32_t to) { all_.emplace_back(from, to); }
-    [[nodiscard]] std::span<const std::pair<std::int32_t, std::int32_t>> different() {
-        std::ranges::sort(all_);
-        all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
-        return all_;
-    }
-
-  private:
-    std::vector<std::pair<std::int32_t, std::int32_t>> all_;
-};
 
 class Counter {
   public:
@@ -63,61 +41,67 @@ class Counter {
         for (std::int64_t node = 0; node < panel.nodes_per_ply(); ++node) holders_.push_back(holders_of(panel, decomposition, node));
     }
 
-    void count_shared_nodes() {
-        for (const auto& [parts, count] : holders_)
-            for (const auto a : std::span(parts).first(static_cast<std::size_t>(count))) {
-                at(a).nodes += plies_;
-                for (const auto b : std::span(parts).first(static_cast<std::size_t>(count)))
-                    if (a != b) move(a, b, force_bytes, forces_);
+    void find_ghosts(double reach) {
+        const auto near_x = within_reach(panel_.x, reach), near_y = within_reach(panel_.y, reach);
+        for (std::int64_t j = 0; j < panel_.columns_y(); ++j)
+            for (std::int64_t i = 0; i < panel_.columns_x(); ++i) {
+                const auto part = owner(i, j);
+                const auto [first_i, end_i] = near_x[static_cast<std::size_t>(i)];
+                const auto [first_j, end_j] = near_y[static_cast<std::size_t>(j)];
+                for (auto other_j = first_j; other_j < end_j; ++other_j)
+                    for (auto other_i = first_i; other_i < end_i; ++other_i)
+                        if (owner(other_i, other_j) != part) add_corners(other_i, other_j, part);
             }
-        for (const auto& [from, to] : forces_.different()) ++at(from).neighbours;
-    }
-
-    void count_ghosts(double reach) {
-        const auto boxes = bounding_boxes(panel_, decomposition_);
-        for (std::int32_t part = 0; part < decomposition_.parts; ++part) {
-            const auto& box = boxes[static_cast<std::size_t>(part)];
-            count_ghosts(part, {widened(box.i, panel_.x, reach), widened(box.j, panel_.y, reach)});
-        }
+        leave_each_once(ghosts_);
     }
 
     std::vector<PartSizes> sizes() {
-        for (auto* links : {&forces_, &ghosts_})
-            for (const auto& [from, to] : links->different()) ++at(from).messages;
+        std::vector<std::int32_t> knowing;
+        auto ghost = ghosts_.begin();
+        for (std::size_t node = 0; node < holders_.size(); ++node) {
+            const auto& holders = holders_[node];
+            knowing.assign(holders.parts.begin(), holders.parts.begin() + holders.count);
+            for (const auto part : knowing) at(part).nodes += plies_;
+            for (; ghost != ghosts_.end() && ghost->first == static_cast<std::int64_t>(node); ++ghost) {
+                at(ghost->second).ghosts += plies_;
+                knowing.push_back(ghost->second);
+            }
+            share(knowing, static_cast<std::size_t>(holders.count));
+        }
+        leave_each_once(neighbours_);
+        leave_each_once(linked_);
+        for (const auto& [from, to] : neighbours_) ++at(from).neighbours;
+        for (const auto& [from, to] : linked_) ++at(from).messages;
         return std::move(sizes_);
     }
 
   private:
-    PartSizes& at(std::int32_t part) { return sizes_[static_cast<std::size_t>(part)]; }
+    using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-    void move(std::int32_t from, std::int32_t to, std::int64_t bytes, Pairs& links) {
-        at(from).bytes_sent += bytes * plies_;
-        at(to).bytes_received += bytes * plies_;
-        links.add(from, to);
+    PartSizes& at(std::int32_t part) { return sizes_[static_cast<std::size_t>(part)]; }
+    [[nodiscard]] std::int32_t owner(std::int64_t i, std::int64_t j) const {
+        return decomposition_.owner[static_cast<std::size_t>(j * panel_.columns_x() + i)];
     }
 
-    /// @param near columns whose facets are sent to the part, its own among them
-    void count_ghosts(std::int32_t part, const Box& near) {
-        const auto stride = panel_.columns_x() + 1;
-        for (auto j = near.j.first; j <= near.j.end; ++j)
-            for (auto i = near.i.first; i <= near.i.end; ++i) {
-                const auto& holders = holders_[static_cast<std::size_t>(j * stride + i)];
-                if (holders.has(part)) continue;
-                at(part).ghosts += plies_;
-                move(provider(i, j, near), part, ghost_bytes, ghosts_);
-                for (const auto holder : std::span(holders.parts).first(static_cast<std::size_t>(holders.count)))
-                    move(part, holder, force_bytes, forces_);
+    /// The corners of a column that a part does not hold are its ghosts.
+    void add_corners(std::int64_t i, std::int64_t j, std::int32_t part) {
+        for (const auto node_j : {j, j + 1})
+            for (const auto node_i : {i, i + 1}) {
+                const auto node = node_j * (panel_.columns_x() + 1) + node_i;
+                if (!holders_[static_cast<std::size_t>(node)].has(part)) ghosts_.emplace_back(node, part);
             }
     }
 
-    /// The first of the parts that send a facet with this node.
-    [[nodiscard]] std::int32_t provider(std::int64_t i, std::int64_t j, const Box& near) const {
-        auto first = std::numeric_limits<std::int32_t>::max();
-        for (const auto cj : {j - 1, j})
-            for (const auto ci : {i - 1, i})
-                if (near.i.has(ci) && near.j.has(cj))
-                    first = std::min(first, decomposition_.owner[static_cast<std::size_t>(cj * panel_.columns_x() + ci)]);
-        return first;
+    /// @param knowing parts that know a node, the first `holding` as their own
+    void share(std::span<const std::int32_t> knowing, std::size_t holding) {
+        for (std::size_t a = 0; a < knowing.size(); ++a)
+            for (std::size_t b = 0; b < knowing.size(); ++b) {
+                if (a == b) continue;
+                at(knowing[a]).bytes_sent += force_bytes * plies_;
+                at(knowing[b]).bytes_received += force_bytes * plies_;
+                linked_.emplace_back(knowing[a], knowing[b]);
+                if (a < holding && b < holding) neighbours_.emplace_back(knowing[a], knowing[b]);
+            }
     }
 
     const mesh::Panel& panel_;
@@ -125,7 +109,8 @@ class Counter {
     std::int64_t plies_;
     std::vector<PartSizes> sizes_;
     std::vector<Holders> holders_;
-    Pairs forces_, ghosts_;
+    std::vector<std::pair<std::int64_t, std::int32_t>> ghosts_;  // footprint node, part
+    Pairs linked_, neighbours_;
 };
 
 }  // namespace
@@ -147,8 +132,7 @@ Holders holders_of(const mesh::Panel& panel, const Decomposition& decomposition,
 
 std::vector<PartSizes> halo_sizes(const mesh::Panel& panel, const Decomposition& decomposition, double ghost_reach) {
     Counter counter(panel, decomposition);
-    counter.count_shared_nodes();
-    if (ghost_reach > 0) counter.count_ghosts(ghost_reach);
+    if (ghost_reach > 0) counter.find_ghosts(ghost_reach);
     return counter.sizes();
 }
 

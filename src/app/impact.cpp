@@ -55,7 +55,7 @@ class Impact::Parts {
           results_(setup(), comm),
           rows_(scene.output.history),
           frames_(scene.output.interval) {
-        if (rebalance) load_.emplace(*rebalance);
+        if (rebalance) load_.emplace(scene, *rebalance);
     }
 
     void to_the_end() {

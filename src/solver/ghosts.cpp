@@ -1,28 +1,15 @@
 #include "weavefront/solver/ghosts.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <map>
+#include <array>
+#include <span>
 
+#include "footprints.hpp"
 #include "weavefront/parallel/all_to_all.hpp"
 
 namespace weavefront::solver {
 
 namespace {
-
-struct Footprint {
-    double x_low = std::numeric_limits<double>::max(), x_high = -x_low, y_low = x_low, y_high = -x_low;
-
-    void include(const contact::Box& box) {
-        x_low = std::min(x_low, box.low.x()), x_high = std::max(x_high, box.high.x());
-        y_low = std::min(y_low, box.low.y()), y_high = std::max(y_high, box.high.y());
-    }
-    [[nodiscard]] contact::Box box() const { return {Vec3(x_low, y_low, 0), Vec3(x_high, y_high, 0)}; }
-    [[nodiscard]] bool meets(const contact::Box& box, double reach) const {
-        return box.low.x() <= x_high + reach && box.high.x() >= x_low - reach && box.low.y() <= y_high + reach &&
-               box.high.y() >= y_low - reach;
-    }
-};
 
 /// A facet as it travels.
 struct FacetMessage {
@@ -31,170 +18,231 @@ struct FacetMessage {
     std::int32_t ply, alive;
 };
 
-using Lists = std::vector<std::vector<std::int64_t>>;  // by rank
-
-std::int32_t own_node(const Nodes& nodes, std::int64_t id) {
-    const auto end = nodes.ids.begin() + nodes.count;
-    const auto found = std::lower_bound(nodes.ids.begin(), end, id);
-    return found != end && *found == id ? static_cast<std::int32_t>(found - nodes.ids.begin()) : -1;
-}
-
-/// All ranks that hold each node, this one first.
-std::vector<std::vector<int>> holders(const partition::HaloPlan& plan, std::int32_t count, int rank) {
-    std::vector<std::vector<int>> ranks(static_cast<std::size_t>(count), {rank});
-    for (const auto& neighbour : plan.neighbours)
-        for (const auto node : neighbour.nodes) ranks[static_cast<std::size_t>(node)].push_back(neighbour.rank);
-    return ranks;
-}
-
-/// What other ranks need of this one's facets, and, as [node, number of holders, holders...], of their nodes.
-struct Outgoing {
-    std::vector<std::vector<FacetMessage>> facets;
-    Lists nodes;
+/// A node as it travels; the same from every rank that sends it, but for its place in this one's memory.
+struct NodeMessage {
+    std::int64_t id;
+    std::array<double, 3> x, v;
+    double mass;
+    std::int32_t owner, supports;
 };
+
+template <class T>
+using ByRank = std::vector<std::vector<T>>;
+
+std::int32_t place_in(std::span<const std::int64_t> ids, std::int64_t id) {
+    const auto found = std::ranges::lower_bound(ids, id);
+    return found != ids.end() && *found == id ? static_cast<std::int32_t>(found - ids.begin()) : -1;
+}
+
+/// Own nodes and ghosts by their global ids.
+class Places {
+  public:
+    explicit Places(const Nodes& nodes) : own_(nodes.ids), count_(nodes.count) {}
+
+    /// @param ids ascending
+    void set_ghosts(std::vector<std::int64_t> ids) { ghosts_ = std::move(ids); }
+
+    [[nodiscard]] std::int32_t own(std::int64_t id) const { return place_in(own_, id); }
+    [[nodiscard]] std::int32_t of(std::int64_t id) const {
+        const auto place = own(id);
+        return place >= 0 ? place : count_ + place_in(ghosts_, id);
+    }
+    [[nodiscard]] std::int64_t id(std::int32_t place) const {
+        return place < count_ ? own_[static_cast<std::size_t>(place)] : ghosts_[static_cast<std::size_t>(place - count_)];
+    }
+
+  private:
+    std::span<const std::int64_t> own_;
+    std::int32_t count_;
+    std::vector<std::int64_t> ghosts_;
+};
+
+/// The lowest rank that holds each node.
+std::vector<std::int32_t> owners(const partition::HaloPlan& plan, int rank) {
+    std::vector<std::int32_t> owners(plan.owned.size(), rank);
+    for (const auto& neighbour : plan.neighbours)
+        for (const auto node : neighbour.nodes) {
+            auto& owner = owners[static_cast<std::size_t>(node)];
+            owner = std::min(owner, neighbour.rank);
+        }
+    return owners;
+}
+
+/// What other ranks need of this one.
+struct Outgoing {
+    ByRank<FacetMessage> facets;
+    ByRank<NodeMessage> nodes;
+};
+
+/// Footprints of the facets of other ranks that are not eroded and may be near this one's. @param of owned facets
+ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double reach, const contact::Surface& surface,
+                                    const std::vector<Footprint>& of) {
+    Footprint mine;
+    for (const auto& footprint : of) mine.include(footprint);
+    ByRank<Footprint> outgoing(static_cast<std::size_t>(comm.size()));
+    const auto theirs = parallel::all_gather(comm, mine);
+    for (std::size_t r = 0; r < theirs.size(); ++r) {
+        if (static_cast<int>(r) == comm.rank() || !theirs[r].near(mine, reach)) continue;
+        for (std::size_t f = 0; f < of.size(); ++f)
+            if (surface.alive[f] && theirs[r].near(of[f], reach)) outgoing[r].push_back(of[f]);
+    }
+    return parallel::all_to_all(comm, outgoing);
+}
 
 Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& plan, double reach, const contact::Surface& surface,
                 const Nodes& nodes) {
     const auto ranks = static_cast<std::size_t>(comm.size());
-    Footprint mine;
-    std::vector<contact::Box> boxes;
-    for (std::int32_t f = 0; f < surface.owned; ++f) {
-        boxes.push_back(contact::Box::around(surface.facets[static_cast<std::size_t>(f)], nodes.x));
-        mine.include(boxes.back());
-    }
-    const auto footprints = parallel::all_gather(comm, mine);
-    const auto holding = holders(plan, nodes.count, comm.rank());
-    Outgoing out{std::vector<std::vector<FacetMessage>>(ranks), Lists(ranks)};
-    std::vector<std::size_t> told(static_cast<std::size_t>(nodes.count), ranks);
+    std::vector<Footprint> footprints;
+    for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f)
+        footprints.push_back(Footprint::of(surface.facets[f], nodes.x));
+    auto around = footprints_around(comm, reach, surface, footprints);
+    const auto owner = owners(plan, comm.rank());
+    Outgoing out{ByRank<FacetMessage>(ranks), ByRank<NodeMessage>(ranks)};
+    std::vector<std::size_t> told(owner.size(), ranks);
     for (std::size_t r = 0; r < ranks; ++r) {
-        if (static_cast<int>(r) == comm.rank() || !footprints[r].meets(mine.box(), reach)) continue;
-        for (std::size_t f = 0; f < boxes.size(); ++f) {
-            if (!footprints[r].meets(boxes[f], reach)) continue;
+        if (around[r].empty()) continue;
+        const FootprintBins bins(std::move(around[r]), reach);
+        for (std::size_t f = 0; f < footprints.size(); ++f) {
+            if (!bins.near(footprints[f])) continue;
             const auto& facet = surface.facets[f];
-            FacetMessage message{facet.id, {}, facet.ply, surface.alive[f]};
+            auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, surface.alive[f]});
             for (std::size_t a = 0; a < 4; ++a) {
                 const auto n = static_cast<std::size_t>(facet.nodes[a]);
                 message.nodes[a] = nodes.ids[n];
                 if (told[n] == r) continue;
                 told[n] = r;
-                out.nodes[r].push_back(nodes.ids[n]);
-                out.nodes[r].push_back(static_cast<std::int64_t>(holding[n].size()));
-                out.nodes[r].insert(out.nodes[r].end(), holding[n].begin(), holding[n].end());
+                const Vec3 &x = nodes.x[n], &v = nodes.v[n];
+                out.nodes[r].push_back({nodes.ids[n], {x[0], x[1], x[2]}, {v[0], v[1], v[2]}, nodes.mass[n], owner[n], nodes.supports[n]});
             }
-            out.facets[r].push_back(message);
         }
     }
     return out;
 }
 
-/// Takes the ghost nodes in: the first rank that sends one provides it; all holders will be sent what contact adds to it.
-struct GhostNodes {
-    std::map<std::int64_t, std::int32_t> local;  ///< of global ids
-    Lists from_provider, to_holder;              ///< global ids by rank
-};
+/// Takes the ghost nodes in, in ascending global order. @return their ids, by the rank that owns them
+ByRank<std::int64_t> take_in(const ByRank<NodeMessage>& incoming, Places& places, Nodes& nodes) {
+    std::vector<NodeMessage> ghosts;
+    for (const auto& messages : incoming)
+        for (const auto& message : messages)
+            if (places.own(message.id) < 0) ghosts.push_back(message);
+    std::ranges::sort(ghosts, {}, &NodeMessage::id);
+    const auto again = std::ranges::unique(ghosts, {}, &NodeMessage::id);
+    ghosts.erase(again.begin(), again.end());
 
-GhostNodes take_in(const Lists& incoming, Nodes& nodes) {
-    GhostNodes ghosts{{}, Lists(incoming.size()), Lists(incoming.size())};
-    for (std::size_t r = 0; r < incoming.size(); ++r) {
-        for (std::size_t at = 0; at < incoming[r].size();) {
-            const auto id = incoming[r][at];
-            const auto holders_count = static_cast<std::size_t>(incoming[r][at + 1]);
-            if (own_node(nodes, id) < 0 &&
-                ghosts.local.try_emplace(id, nodes.count + static_cast<std::int32_t>(ghosts.local.size())).second) {
-                ghosts.from_provider[r].push_back(id);
-                for (std::size_t h = 0; h < holders_count; ++h)
-                    ghosts.to_holder[static_cast<std::size_t>(incoming[r][at + 2 + h])].push_back(id);
-            }
-            at += 2 + holders_count;
-        }
+    ByRank<std::int64_t> wanted(incoming.size());
+    std::vector<std::int64_t> ids;
+    nodes.resize_ghosts(ghosts.size());
+    auto n = static_cast<std::size_t>(nodes.count);
+    for (const auto& ghost : ghosts) {
+        nodes.x[n] = Vec3(ghost.x.data());
+        nodes.v[n] = Vec3(ghost.v.data());
+        nodes.mass[n] = ghost.mass;
+        nodes.supports[n++] = static_cast<std::uint8_t>(ghost.supports);
+        ids.push_back(ghost.id);
+        wanted[static_cast<std::size_t>(ghost.owner)].push_back(ghost.id);
     }
-    const auto all = static_cast<std::size_t>(nodes.count) + ghosts.local.size();
-    nodes.x.resize(all);
-    nodes.v.resize(all);
-    nodes.force.resize(all);
-    return ghosts;
+    places.set_ghosts(std::move(ids));
+    return wanted;
 }
 
-void take_in_facets(const std::vector<std::vector<FacetMessage>>& incoming, const GhostNodes& ghosts, const Nodes& nodes,
-                    contact::Surface& surface) {
+void take_in_facets(const ByRank<FacetMessage>& incoming, const Places& places, contact::Surface& surface) {
     surface.facets.resize(static_cast<std::size_t>(surface.owned));
     surface.alive.resize(static_cast<std::size_t>(surface.owned));
     for (const auto& messages : incoming)
         for (const auto& message : messages) {
             contact::Facet facet{message.id, {}, message.ply};
-            for (std::size_t a = 0; a < 4; ++a) {
-                const auto own = own_node(nodes, message.nodes[a]);
-                facet.nodes[a] = own >= 0 ? own : ghosts.local.at(message.nodes[a]);
-            }
+            for (std::size_t a = 0; a < 4; ++a) facet.nodes[a] = places.of(message.nodes[a]);
             surface.facets.push_back(facet);
             surface.alive.push_back(static_cast<std::uint8_t>(message.alive));
         }
 }
 
-}  // namespace
+/// Ranks that hold own nodes besides this one: of node n those at first[n] to first[n + 1].
+struct OtherHolders {
+    std::vector<std::size_t> first;
+    std::vector<std::int32_t> ranks;
 
-Links halo_links(const partition::HaloPlan& plan) {
-    std::vector<parallel::Link> links;
-    for (const auto& neighbour : plan.neighbours) links.push_back({neighbour.rank, neighbour.nodes, neighbour.nodes});
-    return {parallel::Exchange<FixedVector>(std::move(links)), {}, {}};
+    explicit OtherHolders(const partition::HaloPlan& plan) : first(plan.owned.size() + 2, 0) {
+        for (const auto& neighbour : plan.neighbours)
+            for (const auto node : neighbour.nodes) ++first[static_cast<std::size_t>(node) + 2];
+        for (std::size_t n = 2; n < first.size(); ++n) first[n] += first[n - 1];
+        ranks.resize(first.back());
+        for (const auto& neighbour : plan.neighbours)
+            for (const auto node : neighbour.nodes) ranks[first[static_cast<std::size_t>(node) + 1]++] = neighbour.rank;
+    }
+    [[nodiscard]] std::span<const std::int32_t> of(std::int32_t node) const {
+        const auto n = static_cast<std::size_t>(node);
+        return std::span(ranks).subspan(first[n], first[n + 1] - first[n]);
+    }
+};
+
+/// What the owner of a node tells those that know it: the node, and one other rank that knows it.
+struct Acquaintance {
+    std::int64_t node;
+    std::int64_t rank;
+};
+
+/// Introduces all ranks to each other that hold a node or have it as a ghost. @param wanted by each rank of this one's nodes
+ByRank<Acquaintance> introduce(const ByRank<std::int64_t>& wanted, const partition::HaloPlan& plan, const Places& places, int rank) {
+    std::vector<std::pair<std::int64_t, std::int32_t>> ghosts;  // id, rank
+    for (std::size_t r = 0; r < wanted.size(); ++r)
+        for (const auto id : wanted[r]) ghosts.emplace_back(id, static_cast<std::int32_t>(r));
+    std::ranges::sort(ghosts);
+    const OtherHolders holders(plan);
+    ByRank<Acquaintance> outgoing(wanted.size());
+    std::vector<std::int32_t> knowing;
+    for (std::size_t g = 0; g < ghosts.size();) {
+        const auto id = ghosts[g].first;
+        const auto others = holders.of(places.own(id));
+        knowing.assign(1, rank);
+        knowing.insert(knowing.end(), others.begin(), others.end());
+        for (; g < ghosts.size() && ghosts[g].first == id; ++g) knowing.push_back(ghosts[g].second);
+        for (const auto to : knowing)
+            for (const auto other : knowing)
+                if (to != other) outgoing[static_cast<std::size_t>(to)].push_back({id, other});
+    }
+    return outgoing;
 }
 
-Links rebuild_ghosts(const parallel::Communicator& comm, const partition::HaloPlan& plan, double reach, contact::Surface& surface,
-                     Nodes& nodes) {
-    if (comm.size() == 1) return {};
-    const auto out = select(comm, plan, reach, surface, nodes);
-    const auto facets = parallel::all_to_all(comm, out.facets);
-    const auto ghosts = take_in(parallel::all_to_all(comm, out.nodes), nodes);
-    take_in_facets(facets, ghosts, nodes, surface);
-    const auto wanted = parallel::all_to_all(comm, ghosts.from_provider), added = parallel::all_to_all(comm, ghosts.to_holder);
-
-    const auto own = [&](const std::vector<std::int64_t>& ids, std::vector<std::int32_t>& to) {
-        for (const auto id : ids) to.push_back(own_node(nodes, id));
-    };
-    const auto ghost = [&](const std::vector<std::int64_t>& ids, std::vector<std::int32_t>& to) {
-        for (const auto id : ids) to.push_back(ghosts.local.at(id));
-    };
-    std::map<int, parallel::Link> forces, positions;
-    for (const auto& neighbour : plan.neighbours) forces[neighbour.rank] = {neighbour.rank, neighbour.nodes, neighbour.nodes};
-    for (std::size_t r = 0; r < wanted.size(); ++r) {
-        const auto rank = static_cast<int>(r);
-        if (!wanted[r].empty() || !ghosts.from_provider[r].empty()) {
-            positions[rank].rank = rank;
-            own(wanted[r], positions[rank].send);
-            ghost(ghosts.from_provider[r], positions[rank].receive);
+/// @param introduced by the owners, nodes that are ghosts somewhere; all others are shared as the plan says
+std::vector<parallel::Link> links_of(const ByRank<Acquaintance>& introduced, const partition::HaloPlan& plan, const Places& places) {
+    ByRank<std::int64_t> shared(introduced.size());
+    std::vector<bool> told(plan.owned.size(), false);
+    for (const auto& messages : introduced)
+        for (const auto& [node, rank] : messages) {
+            shared[static_cast<std::size_t>(rank)].push_back(node);
+            if (const auto own = places.own(node); own >= 0) told[static_cast<std::size_t>(own)] = true;
         }
-        if (!added[r].empty() || !ghosts.to_holder[r].empty()) {
-            forces[rank].rank = rank;
-            ghost(ghosts.to_holder[r], forces[rank].send);
-            own(added[r], forces[rank].receive);
-        }
+    for (const auto& neighbour : plan.neighbours)
+        for (const auto node : neighbour.nodes)
+            if (!told[static_cast<std::size_t>(node)]) shared[static_cast<std::size_t>(neighbour.rank)].push_back(places.id(node));
+    std::vector<parallel::Link> links;
+    for (std::size_t r = 0; r < shared.size(); ++r) {
+        if (shared[r].empty()) continue;
+        std::ranges::sort(shared[r]);
+        auto& link = links.emplace_back(parallel::Link{static_cast<int>(r), {}});
+        for (const auto id : shared[r]) link.nodes.push_back(places.of(id));
     }
-    const auto values = [](std::map<int, parallel::Link>& map) {
-        std::vector<parallel::Link> links;
-        for (auto& [rank, link] : map) links.push_back(std::move(link));
-        return links;
-    };
-    Links links{parallel::Exchange<FixedVector>(values(forces)), parallel::Exchange<std::array<double, 6>>(values(positions)), {}};
-    update_ghosts(comm, links, nodes);
     return links;
 }
 
-void update_ghosts(const parallel::Communicator& comm, Links& links, Nodes& nodes) {
-    if (links.ghosts.links().empty()) return;
-    auto& values = links.values;
-    values.resize(nodes.x.size());
-    for (const auto& link : links.ghosts.links())
-        for (const auto node : link.send) {
-            const auto n = static_cast<std::size_t>(node);
-            values[n] = {nodes.x[n].x(), nodes.x[n].y(), nodes.x[n].z(), nodes.v[n].x(), nodes.v[n].y(), nodes.v[n].z()};
-        }
-    links.ghosts.copy(comm, values);
-    for (const auto& link : links.ghosts.links())
-        for (const auto node : link.receive) {
-            const auto n = static_cast<std::size_t>(node);
-            nodes.x[n] = {values[n][0], values[n][1], values[n][2]};
-            nodes.v[n] = {values[n][3], values[n][4], values[n][5]};
-        }
+}  // namespace
+
+ForceExchange halo_exchange(const partition::HaloPlan& plan) {
+    std::vector<parallel::Link> links;
+    for (const auto& neighbour : plan.neighbours) links.push_back({neighbour.rank, neighbour.nodes});
+    return ForceExchange(std::move(links));
+}
+
+ForceExchange rebuild_ghosts(const parallel::Communicator& comm, const partition::HaloPlan& plan, double reach, contact::Surface& surface,
+                             Nodes& nodes) {
+    if (comm.size() == 1) return {};
+    Places places(nodes);
+    const auto out = select(comm, plan, reach, surface, nodes);
+    const auto wanted = take_in(parallel::all_to_all(comm, out.nodes), places, nodes);
+    take_in_facets(parallel::all_to_all(comm, out.facets), places, surface);
+    const auto introduced = introduce(parallel::all_to_all(comm, wanted), plan, places, comm.rank());
+    return ForceExchange(links_of(parallel::all_to_all(comm, introduced), plan, places));
 }
 
 }  // namespace weavefront::solver

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "weavefront/mesh/part.hpp"
-#include "weavefront/partition/cost.hpp"
+#include "weavefront/partition/run_decomposition.hpp"
 
 namespace weavefront::solver {
 
@@ -51,8 +51,7 @@ void lump_mass(const scene::Scene& scene, const mesh::Panel& panel, const mesh::
     std::vector<FixedVector> sums(part.node_ids.size());
     for (std::size_t e = 0; e < areas.size(); ++e)
         for (const auto node : part.element_nodes[e]) sums[static_cast<std::size_t>(node)][0] += scale.from(quarter[e]);
-    auto links = halo_links(model.halo);
-    links.forces.sum(comm, sums);
+    halo_exchange(model.halo).sum(comm, sums);
     model.nodes.mass.reserve(sums.size());
     for (const auto& sum : sums) model.nodes.mass.push_back(scale.to(sum[0]));
 }
@@ -120,10 +119,11 @@ std::size_t Model::bytes() const {
     return sum + surface.facets.size() * (sizeof(contact::Facet) + 1);
 }
 
-partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
+partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, double ghost_reach,
+                                               const parallel::Communicator& comm) {
     partition::Decomposition decomposition{comm.size(), {}};
     if (comm.size() > panel.columns()) return partition::decompose(panel, {}, comm.size());  // throws on every rank
-    if (comm.rank() == 0) decomposition = partition::decompose(panel, partition::column_costs(panel, scene), comm.size());
+    if (comm.rank() == 0) decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach);
     comm.broadcast(decomposition.owner);
     return decomposition;
 }
@@ -141,7 +141,7 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const par
     for (std::size_t e = 0; e < part.element_ids.size(); ++e) areas.push_back(shell::make_quad(corners_of(part, e), 0).area);
     lump_mass(scene, panel, part, areas, comm, model);
     build_surface(scene, panel, part, areas, model.surface);
-    model.links = halo_links(model.halo);
+    model.exchange = halo_exchange(model.halo);
     model.assembly = Assembly(largest_force(scene));
     if (scene.projectile) {
         const auto& p = *scene.projectile;

@@ -24,7 +24,7 @@ WEAVEFRONT_INLINE void for_blocks(Call call) {
 }  // namespace
 
 void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, double dt) {
-    const auto count = static_cast<std::size_t>(nodes.count), whole = count / together * together;
+    const auto count = nodes.x.size(), whole = count / together * together;
     const double quantum = scale.quantum();  // the scale is a power of two: times its inverse is divided by it
     for (std::size_t n = 0; n < whole; n += together) {
         const Pack mass = Pack::load_anywhere(&nodes.mass[n]);

@@ -70,7 +70,7 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
     : scene_(scene),
       comm_(comm),
       panel_(mesh::make_panel(scene)),
-      model_(build_model(scene, panel_, initial_decomposition(scene, panel_, comm), comm)),
+      model_(build_model(scene, panel_, initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
       multiplicity_(panel_.multiplicity()) {
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     contact_frequency_squared_ = contact_frequency_squared(scene);
@@ -99,7 +99,6 @@ void Simulation::integrate() {
     {
         const Timed timed(seconds_, Phase::integrate);
         move_nodes();
-        update_ghosts(comm_, model_.links, model_.nodes);
         count_contact_work(dt_);
         for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
         just_eroded_.clear();
@@ -176,12 +175,13 @@ void Simulation::count_contact_work(double dt) {
 
 void Simulation::sum_over_ranks() {
     const Timed timed(seconds_, Phase::halo);
-    model_.links.forces.sum(comm_, model_.nodes.force);
+    model_.exchange.start(comm_, model_.nodes.force);
     const bool faulty = model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact();
     std::array<std::int64_t, 6> sums{on_projectile_[0],   on_projectile_[1],
                                      on_projectile_[2],   static_cast<std::int64_t>(just_eroded_.size()),
                                      moved_far() ? 1 : 0, faulty ? 1 : 0};
     comm_.sum(sums);
+    model_.exchange.finish(model_.nodes.force);
     projectile_force_ = whole_force({sums[0], sums[1], sums[2]});
     candidates_outdated_ = sums[3] > 0 || sums[4] > 0;
     if (sums[5] > 0) stop_at_fault();
@@ -244,9 +244,9 @@ Vec3 Simulation::next_velocity(std::size_t node) const {
 void Simulation::move_nodes() {
     auto& nodes = model_.nodes;
     if (scene_.damping > 0) {
-        for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
+        for (std::size_t n = 0; n < nodes.x.size(); ++n) {
             const Vec3 next = next_velocity(n);
-            if (nodes.owned[n]) damping_work_ += energy_.from(damping_work(n, next, last_dt_, dt_));
+            if (n < nodes.owned.size() && nodes.owned[n]) damping_work_ += energy_.from(damping_work(n, next, last_dt_, dt_));
             nodes.v[n] = next;
             nodes.x[n] += dt_ * next;
         }
@@ -279,7 +279,10 @@ void Simulation::update_candidates() {
     auto& nodes = model_.nodes;
     const double reach = ghost_reach(scene_, panel_);
     if (reach > 0) {
-        if (comm_.size() > 1) model_.links = rebuild_ghosts(comm_, model_.halo, reach, model_.surface, nodes);
+        if (comm_.size() > 1) {
+            model_.exchange = rebuild_ghosts(comm_, model_.halo, reach, model_.surface, nodes);
+            list_supports();
+        }
         model_.normals.rebuild(model_.surface, nodes.x.size());
     }
     if (model_.ply_contact) model_.ply_contact->update_candidates(model_.surface, nodes.x, skin);

@@ -55,8 +55,8 @@ BENCHMARK(assembly);
 void halo(::benchmark::State& state) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     constexpr std::int32_t shared = 256;
-    parallel::Link link{.rank = comm.rank(), .send = {}, .receive = {}};
-    for (std::int32_t n = 0; n < shared; ++n) link.send.push_back(3 * n), link.receive.push_back(3 * n + 1);
+    parallel::Link link{.rank = comm.rank(), .nodes = {}};
+    for (std::int32_t n = 0; n < shared; ++n) link.nodes.push_back(3 * n);
     parallel::Exchange<solver::FixedVector> exchange({link});
     std::vector<solver::FixedVector> sums(std::size_t{3} * shared);
     for (auto _ : state) {

@@ -17,7 +17,7 @@ constexpr double worth_raising = 1.05;
 
 solver::Model at_rest(const scene::Scene& scene, const parallel::Communicator& comm) {
     const auto panel = mesh::make_panel(scene);
-    return solver::build_model(scene, panel, solver::initial_decomposition(scene, panel, comm), comm);
+    return solver::build_model(scene, panel, solver::initial_decomposition(scene, panel, 0, comm), comm);
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 
 #include "graded_target.hpp"
 #include "weavefront/partition/cost.hpp"
+#include "weavefront/partition/forecast.hpp"
+#include "weavefront/partition/run_decomposition.hpp"
 
 namespace weavefront::test {
 namespace {
@@ -76,6 +78,48 @@ TEST(Decomposition, ItsQualityIsCountedByHand) {
     const partition::Decomposition decomposition{2, {0, 0, 1, 0, 1, 1}};
     EXPECT_EQ(partition::cut_edges(decomposition, panel), 3);
     EXPECT_DOUBLE_EQ(partition::imbalance(decomposition, std::vector<std::int32_t>{1, 1, 1, 1, 1, 4}), 6 / 4.5);
+}
+
+/// The first example at 267 m/s, whose contact reaches most of the target within the run.
+scene::Scene spreading_contact() {
+    auto scene = graded_target();
+    auto& fabric = scene.fabrics[0];
+    fabric.elastic.static_modulus = 96e9;
+    fabric.areal_density = 0.204;
+    fabric.yarn.area = 6.48e-8;
+    fabric.yarn.span = 0.909e-3;
+    scene.target->symmetry = {true, true};
+    scene.projectile->velocity = {0, 0, 267};
+    scene.time.end = 200e-6;
+    return scene;
+}
+
+TEST(RunDecomposition, IsBalancedAtEveryTimeOfTheRun) {
+    constexpr double reach = 2e-3;
+    const auto scene = spreading_contact();
+    const auto panel = mesh::make_panel(scene);
+    const auto& machine = partition::committed_machine();
+    for (const int parts : {2, 3, 4, 8}) {
+        const auto decomposition = partition::decompose_for_run(scene, panel, parts, reach);
+        const auto forecast = partition::forecast(scene, panel, decomposition, reach, machine);
+        const auto of_means =
+            partition::forecast(scene, panel, decompose(panel, partition::column_costs(panel, scene), parts), reach, machine);
+        EXPECT_LT(forecast.element_imbalance, 1.05) << parts;
+        // What balances the whole run does not balance its moments.
+        EXPECT_LT(2 * (forecast.cost_imbalance - 1), of_means.cost_imbalance - 1) << parts;
+        EXPECT_EQ(decomposition.owner, partition::decompose_for_run(scene, panel, parts, reach).owner) << parts;
+    }
+}
+
+TEST(RunDecomposition, BalancesColumnsWhereNothingSpreads) {
+    auto scene = spreading_contact();
+    scene.projectile.reset();
+    const auto panel = mesh::make_panel(scene);
+    for (const int parts : {1, 4, static_cast<int>(panel.columns())}) {
+        const auto decomposition = partition::decompose_for_run(scene, panel, parts, 0);
+        EXPECT_EQ(decomposition.owner, decompose(panel, partition::column_costs(panel, scene), parts).owner) << parts;
+    }
+    EXPECT_THROW(partition::decompose_for_run(scene, panel, static_cast<int>(panel.columns()) + 1, 0), std::invalid_argument);
 }
 
 TEST(ColumnCosts, ContactCountsUnderTheShotOnly) {

@@ -30,12 +30,12 @@ TEST(HaloSizes, CountsSharedNodes) {
     }
 }
 
-TEST(HaloSizes, CountsGhostsWithinReachOfTheBoundingBox) {
-    // Each part sees the four nodes that it does not hold: their positions come, forces on them go back.
+TEST(HaloSizes, CountsGhostsWithinReachOfAnyColumn) {
+    // Each part sees the four nodes that it does not hold; forces on those and on the shared ones go both ways.
     for (const auto& part : partition::halo_sizes(six_columns(), two_parts, 0.5)) {
         EXPECT_EQ(part.ghosts, 4 * 2);
-        EXPECT_EQ(part.messages, 2);
-        EXPECT_EQ(part.bytes_sent, (4 + 4) * 2 * 24 + 4 * 2 * 48);
+        EXPECT_EQ(part.messages, 1);
+        EXPECT_EQ(part.bytes_sent, (4 + 4 + 4) * 2 * 24);
         EXPECT_EQ(part.bytes_received, part.bytes_sent);
     }
     // 0 | 1 | 2 in a row: only what lies within reach counts, and what touches it.
@@ -45,8 +45,15 @@ TEST(HaloSizes, CountsGhostsWithinReachOfTheBoundingBox) {
     EXPECT_EQ(sizes[0].ghosts, 2 * 2);
     EXPECT_EQ(sizes[1].ghosts, 4 * 2);
     EXPECT_EQ(sizes[0].neighbours, 1);
-    // Part 0 sees the far nodes of column 1, which part 2 holds as well: forces on them go to both.
-    EXPECT_EQ(sizes[0].bytes_sent, (2 + 2 * 2) * 2 * 24 + 2 * 2 * 48);
+    EXPECT_EQ(sizes[0].messages, 2);
+    // Part 0 shares its outer nodes with part 1, its inner ones with 1 and with 2, whose ghosts they are, and knows the far ones of
+    // column 1.
+    EXPECT_EQ(sizes[0].bytes_sent, (2 + 2 * 2 + 2 * 2) * 2 * 24);
+    // The bounding box of part 0, an L, holds all columns; the one in its far corner is near to neither leg.
+    mesh::Panel square = row;
+    square.x = square.y = {0, 1, 2, 3};
+    const auto bent = partition::halo_sizes(square, {2, {0, 0, 0, 0, 1, 1, 0, 1, 1}}, 0.5);
+    EXPECT_EQ(bent[0].ghosts, 3 * 2);
 }
 
 TEST(HaloSizes, OnePartExchangesNothing) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "small_scene.hpp"
-#include "weavefront/partition/cost.hpp"
+#include "weavefront/partition/run_decomposition.hpp"
 
 namespace weavefront::solver::test {
 namespace {
@@ -16,24 +16,16 @@ TEST(HaloSizes, AreThoseOfTheLinks) {
         const parallel::Communicator comm(MPI_COMM_WORLD);
         const Simulation simulation(scene, comm);
         const auto& panel = simulation.panel();
-        const auto decomposition = partition::decompose(panel, partition::column_costs(panel, scene), comm.size());
+        const auto decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach(scene, panel));
         const auto sizes = partition::halo_sizes(panel, decomposition, ghost_reach(scene, panel));
         const auto& mine = sizes[static_cast<std::size_t>(comm.rank())];
 
         const auto& model = simulation.model();
-        std::int64_t sent = 0, received = 0, messages = 0;
-        const auto count = [&](const auto& links, std::int64_t bytes) {
-            for (const auto& link : links) {
-                sent += bytes * static_cast<std::int64_t>(link.send.size());
-                received += bytes * static_cast<std::int64_t>(link.receive.size());
-                messages += link.send.empty() ? 0 : 1;
-            }
-        };
-        count(model.links.forces.links(), partition::force_bytes);
-        count(model.links.ghosts.links(), partition::ghost_bytes);
-        EXPECT_EQ(mine.bytes_sent, sent);
-        EXPECT_EQ(mine.bytes_received, received);
-        EXPECT_EQ(mine.messages, messages);
+        std::int64_t bytes = 0;
+        for (const auto& link : model.exchange.links()) bytes += partition::force_bytes * static_cast<std::int64_t>(link.nodes.size());
+        EXPECT_EQ(mine.bytes_sent, bytes);
+        EXPECT_EQ(mine.bytes_received, bytes);
+        EXPECT_EQ(mine.messages, static_cast<std::int64_t>(model.exchange.links().size()));
         EXPECT_EQ(mine.nodes, model.nodes.count);
         EXPECT_EQ(mine.ghosts, static_cast<std::int64_t>(model.nodes.x.size()) - model.nodes.count);
         EXPECT_EQ(mine.columns * static_cast<std::int64_t>(panel.plies.size()), static_cast<std::int64_t>(model.places.size()));

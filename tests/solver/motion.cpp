@@ -32,7 +32,7 @@ TEST(Motion, MovesEveryNodeAsIfAlone) {
     for (std::int32_t count = 0; count < 40; ++count) {
         auto nodes = random_nodes(count, random);
         auto expected = nodes;
-        for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n)
+        for (std::size_t n = 0; n < nodes.x.size(); ++n)
             for (std::size_t d = 0; d < 3; ++d) {
                 const auto i = static_cast<Eigen::Index>(d);
                 expected.v[n][i] = nodes.v[n][i] + step * (scale.to(nodes.force[n][d]) / nodes.mass[n]);

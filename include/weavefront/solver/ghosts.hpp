@@ -2,9 +2,6 @@
 /// @file
 /// Facets of other ranks that contact needs.
 
-#include <cstdint>
-#include <vector>
-
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/parallel/exchange.hpp"
 #include "weavefront/partition/halo_plan.hpp"
@@ -12,27 +9,22 @@
 
 namespace weavefront::solver {
 
-/// What leaves and enters a rank every step: forces of shared and ghost nodes, positions and velocities of ghosts.
-struct Links {
-    parallel::Exchange<FixedVector> forces;            ///< sums over all ranks that add to a node
-    parallel::Exchange<std::array<double, 6>> ghosts;  ///< position and velocity from a rank that holds the node
-    std::vector<std::array<double, 6>> values;         ///< what `ghosts` moves, by node
-};
+/// The one exchange of a step: what each rank adds to the force of a node goes to all ranks that know the node, as their own or as a
+/// ghost. All of them then move it alike, so that positions need not travel.
+using ForceExchange = parallel::Exchange<FixedVector>;
 
-/// The links of the halo alone: no ghosts.
-Links halo_links(const partition::HaloPlan& plan);
+/// Over the nodes that ranks share, without ghosts.
+ForceExchange halo_exchange(const partition::HaloPlan& plan);
 
-/// Rebuilds the ghost layer: the facets of other ranks whose footprint in x and y comes within `reach` of this rank's own. Facets that
-/// share a node with this rank's are among them, so nodal normals are complete.
+/// Rebuilds the ghost layer: the facets of other ranks whose footprint in x and y comes within `reach` of that of one of this rank's, in
+/// any ply and is not eroded; eroded ghosts tell where there are holes. Facets that share a node with this rank's are among them, so its
+/// nodal normals are complete.
 /// @param surface owned facets stand, ghosts are replaced
-/// @param nodes   ghosts are replaced; positions and velocities of the new ones are filled in
+/// @param nodes   ghosts are replaced by the new ones, complete but for the force
 /// @param reach   distance up to which facets may matter until the next rebuild, m
-/// @return        the links of halo and ghosts
+/// @return        the exchange over shared nodes and ghosts
 /// @note Collective
-Links rebuild_ghosts(const parallel::Communicator& comm, const partition::HaloPlan& plan, double reach, contact::Surface& surface,
-                     Nodes& nodes);
-
-/// Brings positions and velocities of the ghosts up to date. @note Collective
-void update_ghosts(const parallel::Communicator& comm, Links& links, Nodes& nodes);
+ForceExchange rebuild_ghosts(const parallel::Communicator& comm, const partition::HaloPlan& plan, double reach, contact::Surface& surface,
+                             Nodes& nodes);
 
 }  // namespace weavefront::solver

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "weavefront/partition/contact_zone.hpp"
 #include "weavefront/partition/decomposition.hpp"
 #include "weavefront/solver/simulation.hpp"
 
@@ -18,13 +19,14 @@ struct Rebalancing {
 };
 
 /// Measures what elements and contact cost on every rank, in windows of some steps. Where the slowest rank stays above the mean by more
-/// than a limit, columns get new weights from what was measured: perforation and the spreading deflection move the work of contact.
+/// than a limit, columns are shared out anew by what they have to do now, if that promises to win back more than the limit: perforation and
+/// the spreading deflection move the work of contact.
 class LoadWatch {
   public:
     static constexpr std::int64_t window = 200;  ///< steps
 
     /// @param limit slowest rank over the mean, less 1, that is borne
-    explicit LoadWatch(double limit) : limit_(limit) {}
+    LoadWatch(const scene::Scene& scene, double limit);
 
     /// To be called after every step. @return what to change to, on all ranks; mostly nothing
     /// @note Collective at the ends of windows
@@ -34,6 +36,7 @@ class LoadWatch {
     static constexpr int windows_above = 2;  // a single one may be a disturbance from outside
 
     double limit_;
+    partition::ContactZone zone_;
     double elements_ = 0, contact_ = 0;  // s, at the last look
     int above_ = 0;
 };

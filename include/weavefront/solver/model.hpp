@@ -38,7 +38,7 @@ struct Model {
     contact::Surface surface;
     contact::NodalNormals normals;  ///< of the plies, for contact
     partition::HaloPlan halo;
-    Links links;
+    ForceExchange exchange;
     Assembly assembly;
     GlobalIds global;
     double smallest_edge = 0;  ///< of all elements, m
@@ -53,9 +53,11 @@ struct Model {
 };
 
 /// The decomposition that the scene alone suggests, computed on rank 0.
+/// @param ghost_reach as for `rebuild_ghosts`, m; 0: no ghosts
 /// @throws std::invalid_argument when there are more ranks than columns
 /// @note Collective
-partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm);
+partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, double ghost_reach,
+                                               const parallel::Communicator& comm);
 
 /// This rank's part of the target, at rest. @note Collective
 Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const partition::Decomposition& decomposition,

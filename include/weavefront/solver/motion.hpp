@@ -11,7 +11,7 @@
 
 namespace weavefront::solver {
 
-/// v += step f/m and x += dt v of the nodes but ghosts.
+/// v += step f/m and x += dt v of all nodes, ghosts among them.
 /// @param scale of the forces
 /// @param step  from the middle of the last step to that of this one, s
 /// @param dt    this step, s

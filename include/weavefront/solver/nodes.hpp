@@ -27,17 +27,23 @@ struct InitialPositions {
     }
 };
 
-/// Positions and velocities stand for the rank's own nodes first, then for the ghosts that contact needs. A node on the border between
-/// parts stands on every rank that touches it, with the same bits.
+/// The rank's own nodes come first, then the ghosts that contact needs. A node on the border between parts, or near to one, stands on every
+/// rank that knows it; each of them moves it, with the same bits.
 struct Nodes {
     std::int32_t count = 0;              ///< without ghosts
     std::vector<std::int64_t> ids;       ///< global, ascending
     std::vector<bool> owned;             ///< one of the ranks that hold a node owns it: it counts there
     std::vector<Vec3> x, v;              ///< with ghosts, m, m/s; v is half a step behind x
     InitialPositions initial;            ///< without ghosts
-    std::vector<double> mass;            ///< kg
-    std::vector<std::uint8_t> supports;  ///< bit 0 x, bit 1 y, bit 2 z held
+    std::vector<double> mass;            ///< with ghosts, kg
+    std::vector<std::uint8_t> supports;  ///< with ghosts; bit 0 x, bit 1 y, bit 2 z held
     std::vector<FixedVector> force;      ///< with ghosts
+
+    /// Makes room for so many ghosts.
+    void resize_ghosts(std::size_t ghosts) {
+        const auto all = static_cast<std::size_t>(count) + ghosts;
+        x.resize(all), v.resize(all), mass.resize(all), supports.resize(all), force.resize(all);
+    }
 
     [[nodiscard]] std::span<const Vec3> own_x() const { return {x.data(), static_cast<std::size_t>(count)}; }
 };

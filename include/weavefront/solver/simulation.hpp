@@ -40,7 +40,7 @@ class Simulation {
     /// @throws GuardStop on all ranks when a force is not finite or out of range
     void advance_forces();
 
-    /// Velocities, positions, contact work, erosion, ghosts.
+    /// Velocities, positions, contact work, erosion; ghosts when what may meet has to be looked for anew.
     void integrate();
 
     /// Goes on with other columns on this rank; between integrate and advance_forces.

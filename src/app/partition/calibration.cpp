@@ -16,6 +16,7 @@
 #include "weavefront/partition/contact_zone.hpp"
 #include "weavefront/partition/forecast.hpp"
 #include "weavefront/scene/read.hpp"
+#include "weavefront/solver/nodes.hpp"
 
 namespace weavefront::app {
 
@@ -113,24 +114,23 @@ double least_time(const parallel::Communicator& comm, Call call) {
     return comm.max(least);
 }
 
-/// Time of an exchange with the rank half of all ranks away, in both directions at once. @param nodes ghosts exchanged
+/// Time of an exchange with the rank half of all ranks away, in both directions at once. @param nodes shared
 double exchange_time(const parallel::Communicator& comm, std::int32_t nodes) {
-    using Value = std::array<double, 6>;
     const int half = comm.size() / 2, other = comm.rank() < half ? comm.rank() + half : comm.rank() - half;
     std::vector<parallel::Link> links;
     if (comm.rank() < 2 * half) {
-        links.push_back({other, {}, {}});
-        for (std::int32_t n = 0; n < nodes; ++n) links[0].send.push_back(n), links[0].receive.push_back(nodes + n);
+        links.push_back({other, {}});
+        for (std::int32_t n = 0; n < nodes; ++n) links[0].nodes.push_back(n);
     }
-    parallel::Exchange<Value> exchange(std::move(links));
-    std::vector<Value> values(static_cast<std::size_t>(2 * nodes));
-    return least_time(comm, [&] { exchange.copy(comm, values); });
+    parallel::Exchange<solver::FixedVector> exchange(std::move(links));
+    std::vector<solver::FixedVector> values(static_cast<std::size_t>(nodes));
+    return least_time(comm, [&] { exchange.sum(comm, values); });
 }
 
 void time_messages(const parallel::Communicator& comm, Machine& machine) {
-    constexpr std::int32_t many = 2000;  // about what a rank of some ten thousand elements exchanges
+    constexpr std::int32_t many = 4000;  // about what a rank of some ten thousand elements exchanges
     machine.latency = exchange_time(comm, 1);
-    machine.bandwidth = many * sizeof(std::array<double, 6>) / std::max(exchange_time(comm, many) - machine.latency, 1e-9);
+    machine.bandwidth = many * sizeof(solver::FixedVector) / std::max(exchange_time(comm, many) - machine.latency, 1e-9);
     std::array<std::int64_t, 6> values{};
     machine.reduction = least_time(comm, [&] { comm.sum(values); }) / std::ceil(std::log2(comm.size()));
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "weavefront/mesh/panel.hpp"
-#include "weavefront/partition/cost.hpp"
+#include "weavefront/partition/run_decomposition.hpp"
 #include "weavefront/solver/simulation.hpp"
 
 namespace weavefront::app {
@@ -15,8 +15,8 @@ namespace {
 
 partition::Forecast forecast_on(const scene::Scene& scene, int ranks, const partition::Machine& machine) {
     const auto panel = mesh::make_panel(scene);
-    const auto decomposition = partition::decompose(panel, partition::column_costs(panel, scene), ranks);
-    return partition::forecast(scene, panel, decomposition, solver::ghost_reach(scene, panel), machine);
+    const double reach = solver::ghost_reach(scene, panel);
+    return partition::forecast(scene, panel, partition::decompose_for_run(scene, panel, ranks, reach), reach, machine);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Forecast {
     int ranks = 1;
     std::int64_t columns = 0, elements = 0;
     double element_imbalance = 1;      ///< most elements over the mean
-    double cost_imbalance = 1;         ///< most work over the run over the mean
+    double cost_imbalance = 1;         ///< most work of a moment over the mean, over all moments of the run
     std::int64_t cut_edges = 0;        ///< column faces between ranks
     std::int64_t most_neighbours = 0;  ///< ranks that share nodes with one
     std::int64_t most_halo_bytes = 0;  ///< sent or received by one rank a step
@@ -29,7 +29,7 @@ struct Forecast {
 /// T = mean over the run of the most over ranks of [elements element + nodes node + ply contact (elements (watch + renewals search) +
 /// elements in the zone touch)] crowding + messages latency + bytes/bandwidth, and log2 R reductions. Rows of the history and frames come
 /// on top.
-/// @param decomposition of this panel, by `column_costs`
+/// @param decomposition of this panel
 /// @param ghost_reach   as for `halo_sizes`
 Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition, double ghost_reach,
                   const Machine& machine);

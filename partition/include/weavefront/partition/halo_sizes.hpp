@@ -19,12 +19,12 @@ struct PartSizes {
     std::int64_t ghosts = 0;  ///< nodes of other parts near enough for contact, all plies
 };
 
-/// Bytes of a node's force sum, and of a ghost's position and velocity.
-inline constexpr std::int64_t force_bytes = 24, ghost_bytes = 48;
+/// Bytes of a node's force sum.
+inline constexpr std::int64_t force_bytes = 24;
 
-/// The exchange of each part as the solver links it at the start: force sums of shared nodes both ways; where plies touch, positions and
-/// velocities of the ghosts, and force sums from them to all parts that hold them.
-/// @param ghost_reach distance from a part's bounding box up to which the facets of others are its ghosts, m; 0: no ghosts
+/// The exchange of each part as the solver links it at the start: force sums between all parts that hold a node or, where plies touch,
+/// have it as a ghost.
+/// @param ghost_reach distance from a part's columns up to which those of others are its ghosts, along x and along y, m; 0: no ghosts
 std::vector<PartSizes> halo_sizes(const mesh::Panel& panel, const Decomposition& decomposition, double ghost_reach);
 
 /// Parts whose columns lie around a footprint node, ascending, without repetition.

@@ -70,6 +70,7 @@ Candidates find_candidates(const Surface& surface, std::span<const Vec3> x, doub
     for (const auto& facets : by_ply) bins.emplace_back(boxes, facets, size);
 
     Candidates candidates;
+    candidates.first.reserve(static_cast<std::size_t>(surface.owned) + 1);
     std::vector<std::int32_t> found;
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
@@ -93,6 +94,7 @@ Candidates find_candidates(const Surface& surface, std::span<const Vec3> x, doub
         }
         candidates.first.push_back(static_cast<std::int32_t>(candidates.facets.size()));
     }
+    candidates.facets.shrink_to_fit();
     return candidates;
 }
 

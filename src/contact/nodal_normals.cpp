@@ -18,13 +18,14 @@ void NodalNormals::rebuild(const Surface& surface, std::size_t nodes) {
         return surface.facets[static_cast<std::size_t>(a)].id < surface.facets[static_cast<std::size_t>(b)].id;
     };
     for (std::size_t n = 0; n < nodes; ++n) std::sort(around_.begin() + first_[n], around_.begin() + first_[n + 1], by_id);
-    normals_.resize(nodes);
-    computed_.assign(nodes, -1);
+    places_.resize(nodes);
+    computed_.clear();
 }
 
-const Vec3& NodalNormals::at(std::int32_t node, const Surface& surface, std::span<const Vec3> x) {
+Vec3 NodalNormals::at(std::int32_t node, const Surface& surface, std::span<const Vec3> x) {
     const auto n = static_cast<std::size_t>(node);
-    if (computed_[n] == now_) return normals_[n];
+    const auto place = static_cast<std::size_t>(places_[n]);
+    if (place < computed_.size() && computed_[place].node == node) return computed_[place].normal;
     Vec3 sum = Vec3::Zero();
     for (auto k = first_[n]; k < first_[n + 1]; ++k) {
         const auto f = static_cast<std::size_t>(around_[static_cast<std::size_t>(k)]);
@@ -38,9 +39,9 @@ const Vec3& NodalNormals::at(std::int32_t node, const Surface& surface, std::spa
             sum *= 2;
             sum[d] = 0;
         }
-    computed_[n] = now_;
-    normals_[n] = sum;
-    return normals_[n];
+    places_[n] = static_cast<std::int32_t>(computed_.size());
+    computed_.push_back({sum, node});
+    return sum;
 }
 
 }  // namespace weavefront::contact

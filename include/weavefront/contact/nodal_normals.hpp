@@ -19,7 +19,7 @@ class NodalNormals {
     void rebuild(const Surface& surface, std::size_t nodes);
 
     /// Forgets the normals of the last positions.
-    void new_positions() { ++now_; }
+    void new_positions() { computed_.clear(); }
 
     /// Those of the corners of a facet.
     std::array<Vec3, 4> of(const Facet& facet, const Surface& surface, std::span<const Vec3> x) {
@@ -28,13 +28,16 @@ class NodalNormals {
     }
 
     /// Area-weighted normal, not normalised, m2. Eroded facets do not count.
-    const Vec3& at(std::int32_t node, const Surface& surface, std::span<const Vec3> x);
+    Vec3 at(std::int32_t node, const Surface& surface, std::span<const Vec3> x);
 
   private:
     std::vector<std::int32_t> first_, around_;  ///< facets around a node, ascending global ids
-    std::vector<Vec3> normals_;
-    std::vector<std::int64_t> computed_;
-    std::int64_t now_ = 0;
+    struct Computed {
+        Vec3 normal;
+        std::int32_t node;
+    };
+    std::vector<Computed> computed_;    ///< those asked for at these positions
+    std::vector<std::int32_t> places_;  ///< of each node among them, if that one is its own
 };
 
 }  // namespace weavefront::contact

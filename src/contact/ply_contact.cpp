@@ -144,6 +144,7 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& r
     const auto pressure =
         law(facet.ply, other.ply)
             .advance(points, met, overlap, closing, now.dt, batch.share, reserves_[static_cast<std::size_t>(slave.facet)]);
+    const double area = now.surface.areas[static_cast<std::size_t>(slave.facet)];
     for (std::size_t i = 0; i < batch_width; ++i) {
         slave.touching = slave.touching || (met[i] && points.present[i] > 0);
         if (!(pressure[i] > 0)) continue;
@@ -152,7 +153,7 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& r
             pair = static_cast<std::int32_t>(forces.size());
             forces.emplace_back(facet.nodes, other.nodes);
         }
-        const double size = -pressure[i] * now.surface.areas[static_cast<std::size_t>(slave.facet)] * batch.share[i];
+        const double size = -pressure[i] * area * batch.share[i];
         const Vec3 force(size * rays.direction.x[i], size * rays.direction.y[i], size * rays.direction.z[i]);
         forces[static_cast<std::size_t>(pair)].add(force, batch.N, N, i);
     }

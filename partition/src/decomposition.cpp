@@ -3,6 +3,7 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -107,7 +108,11 @@ std::vector<std::int64_t> Decomposition::columns_of(int part) const {
 
 Decomposition decompose(const mesh::Panel& panel, std::span<const std::int32_t> weights, int parts) {
     require_columns(panel, parts);
-    return partition(panel, metis_weights(weights), parts, {METIS_PartGraphKway, 1, 1, 5, {}});
+    auto scaled = metis_weights(weights);
+    // Asked for less imbalance than half of the heaviest column makes, METIS scatters columns in search of it.
+    const auto of_part = static_cast<double>(std::accumulate(scaled.begin(), scaled.end(), std::int64_t{0})) / parts;
+    const double in_thousandths = scaled.empty() ? 0 : 500 * *std::ranges::max_element(scaled) / of_part;
+    return partition(panel, std::move(scaled), parts, {METIS_PartGraphKway, 1, 1, std::max(5, static_cast<idx_t>(in_thousandths)), {}});
 }
 
 Decomposition decompose(const mesh::Panel& panel, std::span<const std::vector<std::int32_t>> shares, int parts, int seed) {

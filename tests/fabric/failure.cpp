@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "material_point.hpp"
 
@@ -86,6 +87,62 @@ TEST(Failure, ABrokenYarnStaysBrokenAndItsPartnerStraightens) {
     point.advance({.lambda_f = 1.0, .lambda_w = slack * 1.01});
     EXPECT_NEAR(point.state.h_f, point.constants.thickness / 2, 1e-15);  // warp straight, fill takes all the crimp
     EXPECT_NEAR(point.state.N_w, 96e9 * 0.01 * point.constants.area / point.constants.span, 1.0);
+}
+
+/// Viscous yarns whose bars hardly relax, so that a slack yarn stays at stresses of the size of rounding.
+scene::Fabric hardly_relaxing() {
+    scene::Fabric fabric = kevlar129();
+    fabric.thickness = 0.41e-3;
+    fabric.elastic.hooke_modulus = 1.0001 * fabric.elastic.static_modulus;
+    return fabric;
+}
+
+TEST(Failure, AYarnLeftAloneGivesNoMoreThanItHolds) {
+    constexpr fabric::Features F{.formulation = consistent, .crimp = true, .viscous = true, .failure = true};
+    std::mt19937_64 random(13);
+    std::uniform_real_distribution<double> stretch(0.97, 1.08), tension(1, 1.02);
+    for (int n = 0; n < 200; ++n) {
+        MaterialPoint<F> point(hardly_relaxing(), 3.8e-8);
+        const double both = tension(random);
+        for (int i = 1; i <= 200; ++i) point.advance({.lambda_f = 1 + (both - 1) * i / 200, .lambda_w = 1 + (both - 1) * i / 200});
+        ASSERT_EQ(point.state.intact_w, 1.0);
+        point.state.intact_f = point.state.sigma_f = point.state.N_f = 0;
+        const auto& c = point.constants;
+        const double strain = fabric::yarn_state<F>(c, point.state).eps_w, volume = c.area / c.span * (2 * c.length / c.span);
+        const double held = c.instant_modulus * strain * strain / 2 * volume, before = point.state.work;
+        double now = point.state.lambda_w;
+        for (int leg = 0; leg < 6 && point.state.intact_w == 1.0; ++leg) {
+            const double from = now, to = stretch(random);
+            for (int i = 1; i <= 100; ++i) point.advance({.lambda_f = 1, .lambda_w = now = from + (to - from) * i / 100});
+            ASSERT_GT(point.state.work - before, -1.01 * held - 1e-9) << n;
+        }
+    }
+}
+
+TEST(Failure, AYarnLeftAloneIsSlackBetweenItsBounds) {
+    constexpr fabric::Features F{.formulation = consistent, .crimp = true, .failure = true};
+    for (const bool fill : {true, false}) {
+        MaterialPoint<F> point(elastic_kevlar129(), 1e-9);
+        const auto& c = point.constants;
+        auto& state = point.state;
+        (fill ? state.intact_w : state.intact_f) = 0;
+        const double &force = fill ? state.N_f : state.N_w, stiffness = c.static_modulus * c.area / c.span;
+        const auto bring_to = [&](double lambda) { fill ? point.advance({.lambda_f = lambda}) : point.advance({.lambda_w = lambda}); };
+        const double taut = 2 * c.length / c.span, compressed = 2 * std::sqrt(c.length * c.length - c.thickness * c.thickness / 4) / c.span;
+        for (const double lambda : {taut * 0.999, 1.0, 1.05, compressed * 1.001}) {
+            bring_to(lambda);
+            EXPECT_NEAR(force, 0, 1e-12 * stiffness) << lambda;
+            const double height = fill ? state.h_f : c.thickness / 2 - state.h_f;
+            EXPECT_NEAR(std::hypot(lambda * c.span / 2, height), c.length, 1e-14 * c.length) << lambda;
+        }
+        bring_to(taut * 1.01);
+        EXPECT_NEAR(force, 0.01 * stiffness, 1e-12 * stiffness);
+        bring_to(compressed * 0.99);
+        EXPECT_LT(force, -1e-3 * stiffness);
+        bring_to(taut * 1.01);
+        bring_to(taut * 0.99);  // straight and compressed is no place to stay
+        EXPECT_NEAR(force, 0, 1e-12 * stiffness);
+    }
 }
 
 }  // namespace

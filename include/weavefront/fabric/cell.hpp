@@ -62,6 +62,28 @@ template <Features F, class Real>
     return {eps_f, eps_w, c.static_modulus * eps_f * state.intact_f, c.static_modulus * eps_w * state.intact_w};
 }
 
+/// Height of the fill's crossover at the end of the step (consistent), m.
+template <Features F, class Real, class Search>
+[[nodiscard]] WEAVEFRONT_INLINE Real crossover_height(const Bars<Real>& bars, const State<Real>& state, double half_thickness,
+                                                      Search search) {
+    const auto balanced = [&](const Bars<Real>& yarns) __attribute__((always_inline)) {
+        const Real delta = balance_crossover(EndBalance<Real>{yarns}, Real(-yarns.h_f), yarns.h_w, half_thickness, nullptr, search);
+        return clamp(Real(yarns.h_f + delta), Real(0.0), Real(half_thickness));  // (36)
+    };
+    if constexpr (F.failure) {
+        const Real whole = state.intact_f * state.intact_w;
+        if (any(whole < 1.0)) {
+            Bars<Real> whole_cells = bars;  // elsewhere nothing is to be sought
+            for (auto* law : {&whole_cells.law_f, &whole_cells.law_w}) law->offset *= whole, law->slope *= whole;
+            const Real height = balanced(whole_cells);
+            const Real of_fill = select(state.intact_f > 0.0, lone_height(bars.a_f, bars.law_f, half_thickness), height);
+            const Real of_warp = Real(half_thickness) - lone_height(bars.a_w, bars.law_w, half_thickness);
+            return select(whole < 1.0, select(state.intact_w > 0.0, of_warp, of_fill), height);
+        }
+    }
+    return balanced(bars);
+}
+
 /// Brings the yarns to the end of the step: crimp interchange, stress, failure; IT04 (18)-(36).
 /// @param state crossover height, stresses and intact flags are updated; the stretches are still those of the start
 template <Features F, class Real, class Search>
@@ -89,8 +111,7 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
         state.h_f = clamp(Real(bars.h_f + delta), Real(0.0), Real(half_thickness));  // (36)
         if constexpr (F.friction) result.crossover = c.area * smaller_positive(balance.fill(delta).force, balance.warp(delta).force);
     } else if constexpr (F.crimp) {
-        const Real delta = balance_crossover(EndBalance<Real>{bars}, Real(-bars.h_f), bars.h_w, half_thickness, nullptr, search);
-        state.h_f = clamp(Real(bars.h_f + delta), Real(0.0), Real(half_thickness));  // (36)
+        state.h_f = crossover_height<F>(bars, state, half_thickness, search);
     }
     if constexpr (F.crimp) {
         L_f = bar_length(bars.a_f, state.h_f);

@@ -28,6 +28,16 @@ struct Imbalance {
     Real newton;
 };
 
+/// Height of the crossover of a yarn whose partner is broken: nothing presses on it, so it lies where the yarn carries nothing, or as near
+/// to that as the heights allow: taut at 0, compressed at t/2. (29) has a second root at 0 wherever the yarn is slack, at which no yarn
+/// stays.
+/// @param a half span at the end of the step, m
+template <class Real>
+[[nodiscard]] WEAVEFRONT_INLINE Real lone_height(const Real& a, const AxialLaw<Real>& law, double half_thickness) {
+    const Real slack_length = max(Real(law.reference - law.offset / law.slope), Real(0.0));
+    return min(sqrt(max(Real(slack_length * slack_length - a * a), Real(0.0))), half_thickness);
+}
+
 /// (29) at the end of the step (consistent), cleared of denominators as IT04 (35): one division per evaluation.
 template <class Real>
 struct EndBalance {

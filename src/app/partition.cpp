@@ -9,9 +9,9 @@
 #include "impact.hpp"
 #include "partition/calibration.hpp"
 #include "partition/machine_file.hpp"
+#include "partition/pace.hpp"
 #include "partition/ranks_apart.hpp"
 #include "partition/scaling_table.hpp"
-#include "partition/step_times.hpp"
 #include "shared_text.hpp"
 #include "weavefront/io/replace_file.hpp"
 #include "weavefront/partition/machine.hpp"
@@ -60,13 +60,13 @@ void require_consistent(const Options& options) {
 
 /// Adds what the steps take here to the rows of as many ranks as there are.
 void measure(const Options& options, const scene::Scene& scene, const parallel::Communicator& comm, std::vector<ScalingRow>& rows,
-             const std::vector<int>& ranks) {
+             const std::vector<int>& ranks, const partition::Machine& machine) {
     for (std::size_t i = 0; i < ranks.size(); ++i) {
         if (ranks[i] > comm.size()) continue;
         const auto scaled = scaled_scene(scene, options.weak, ranks[i], ranks.front());
         if (const auto some = first_ranks(comm, ranks[i])) {
-            const double mean = time_steps(scaled, *some, options.repetitions).mean();
-            if (comm.rank() == 0) rows[i].measured = mean;
+            const auto steps = repeat_steps(scaled, *some, options.repetitions);
+            if (comm.rank() == 0) rows[i].measured = steps.times.mean(), rows[i].pace = steps.pace / machine.pace;
         }
         sleep_until_all_arrive(comm);
     }
@@ -78,7 +78,7 @@ void scale(const Options& options, const scene::Scene& scene, const parallel::Co
     const auto ranks = rank_counts(options, scene);
     std::vector<ScalingRow> rows;
     if (comm.rank() == 0) rows = forecast_all(scene, options.weak, ranks, machine);
-    if (options.measure) measure(options, scene, comm, rows, ranks);
+    if (options.measure) measure(options, scene, comm, rows, ranks, machine);
     if (comm.rank() != 0) return;
     fmt::print("{}\n  machine    {}\n{}", scene.title, machine.name, terminal_table(rows));
     if (!options.out.empty()) io::replace_file(options.out, csv_table(rows));

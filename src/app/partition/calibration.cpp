@@ -9,8 +9,8 @@
 #include <limits>
 #include <span>
 
+#include "pace.hpp"
 #include "ranks_apart.hpp"
-#include "step_times.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/exchange.hpp"
 #include "weavefront/partition/contact_zone.hpp"
@@ -154,9 +154,13 @@ Machine calibrate(const scene::Scene& scene, const parallel::Communicator& comm,
     const parallel::Communicator self(MPI_COMM_SELF);
     Machine machine{.name = fmt::format("{}, {} ranks", processor(), comm.size()), .ranks = comm.size()};
     StepTimes alone;
-    if (comm.rank() == 0) alone = time_steps(scene, self, repetitions);
+    if (comm.rank() == 0) {
+        auto paced = repeat_steps(scene, self, repetitions);
+        alone = std::move(paced.times);
+        machine.pace = paced.pace;
+    }
     sleep_until_all_arrive(comm);
-    const auto together = time_steps(scene, self, repetitions);
+    const auto together = repeat_steps(scene, self, repetitions).times;
     const double slowest = comm.max(together.mean());
     sleep_until_all_arrive(comm);
     time_messages(comm, machine);

@@ -24,7 +24,8 @@ struct Constant {
     double least;
 };
 
-constexpr std::array<Constant, 11> constants{{{"crowding", &Machine::crowding, 1, 1},
+constexpr std::array<Constant, 12> constants{{{"pace_ns", &Machine::pace, 1e-9, 1e-6},
+                                              {"crowding", &Machine::crowding, 1, 1},
                                               {"element_ns", &Machine::element, 1e-9, 0},
                                               {"node_ns", &Machine::node, 1e-9, 0},
                                               {"watch_ns", &Machine::watch, 1e-9, 0},

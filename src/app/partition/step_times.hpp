@@ -23,18 +23,20 @@ struct StepTime {
 
 struct StepTimes {
     std::int64_t elements = 0, nodes = 0;  ///< of this rank
-    std::vector<StepTime> steps;
+    std::vector<StepTime> steps{};
 
     [[nodiscard]] double mean() const;  ///< of a step, s
     [[nodiscard]] double sum(solver::Phase phase) const;
+
+    /// Takes the steps of another run that were quicker.
+    void improve_by(const StepTimes& other);
 };
 
-/// Computes an impact, without its output, several times over. Each step does the same in every repetition, so the quickest of each step is
-/// the one least disturbed by whatever else the machine does. One rank alone, which never waits, is timed by the processor time that it
-/// gets, several by the clock on the wall.
+/// Computes an impact without its output. One rank alone, which never waits, is timed by the processor time that it gets, several by the
+/// clock on the wall.
 /// @param comm ranks that compute it
 /// @throws solver::GuardStop
 /// @note Collective
-StepTimes time_steps(const scene::Scene& scene, const parallel::Communicator& comm, int repetitions);
+StepTimes time_steps(const scene::Scene& scene, const parallel::Communicator& comm);
 
 }  // namespace weavefront::app

@@ -10,6 +10,7 @@ namespace weavefront::partition {
 struct Machine {
     std::string name;
     int ranks = 1;                 ///< that computed at once when it was measured
+    double pace = 0;               ///< of an element-step of a small scene just then: tells how fast the processor was
     double crowding = 1;           ///< time of a step with all of them computing over that of one alone
     double element = 0;            ///< kernel, sums and time step, per element and step
     double node = 0;               ///< integration, per node and step

@@ -1,0 +1,27 @@
+#pragma once
+/// @file
+/// Times of steps beside the speed that the processor had just then.
+
+#include <limits>
+
+#include "step_times.hpp"
+
+namespace weavefront::app {
+
+/// Processor time of an element-step of a small scene that is always the same, on the calling rank, s. Processors that share power or
+/// cores with others change their speed from minute to minute, and with it all of a step.
+double pace();
+
+/// Steps of an impact that was computed several times over, and the least pace of the first rank, alone, in between.
+struct PacedSteps {
+    StepTimes times;
+    double pace = std::numeric_limits<double>::max();  ///< s, on the first rank
+};
+
+/// Each step does the same in every repetition, so the quickest of each step is the one least disturbed by whatever else the machine does.
+/// @param comm ranks that compute it
+/// @throws solver::GuardStop
+/// @note Collective
+PacedSteps repeat_steps(const scene::Scene& scene, const parallel::Communicator& comm, int repetitions);
+
+}  // namespace weavefront::app

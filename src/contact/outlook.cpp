@@ -14,27 +14,26 @@ namespace {
 constexpr double rounding = 0.01;
 
 /// Finds the candidate whose centre is nearest to that of the facet; it must lie in the next ply.
-void find_first(Outlook& outlook, std::int32_t ply, const Vec3& centre, std::span<const std::int32_t> candidates, const Surface& surface,
+void find_first(Outlook& outlook, std::int32_t ply, const Vec3& centre, const FacetRuns& candidates, const Surface& surface,
                 std::span<const Vec3> x) {
     if (candidates.empty() || surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1) return;
     double nearest = std::numeric_limits<double>::max(), second = nearest;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const auto other = static_cast<std::size_t>(candidates[k]);
+    for (const auto candidate : candidates) {
+        const auto other = static_cast<std::size_t>(candidate);
         if (!surface.alive[other]) continue;
         const double apart = (centre_of(corners_of(surface.facets[other].nodes, x)) - centre).squaredNorm();
         second = std::min(second, std::max(apart, nearest));
         if (apart >= nearest) continue;
         nearest = apart;
-        outlook.first = static_cast<std::int32_t>(k);
+        outlook.first = candidate;
     }
     outlook.lead = (1 - rounding) * (std::sqrt(second) - std::sqrt(nearest)) / 2;
 }
 
 }  // namespace
 
-Outlook look_around(std::int32_t f, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned,
-                    std::span<const std::int32_t> candidates, const Surface& surface, const Touching& touching, std::span<const Vec3> x,
-                    double enough) {
+Outlook look_around(std::int32_t f, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned, const FacetRuns& candidates,
+                    const Surface& surface, const Touching& touching, std::span<const Vec3> x, double enough) {
     const auto ply = surface.facets[static_cast<std::size_t>(f)].ply;
     const Outline outline(spanned);
     Outlook outlook{.room = touching.depth() - touching.most()};  // facets that are no candidates lie at least this deep
@@ -46,8 +45,9 @@ Outlook look_around(std::int32_t f, const std::array<Vec3, 4>& corners, const st
         outlook.room = std::min(outlook.room, outline.distance_to(Outline(corners_of(other.nodes, x)), outlook.room + reach) - reach);
         if (outlook.room < enough) outlook.room = 0;
     };
-    if (outlook.first >= 0) make_room(candidates[static_cast<std::size_t>(outlook.first)]);  // most often this settles it
-    for (std::size_t k = 0; k < candidates.size() && outlook.room > 0; ++k) make_room(candidates[k]);
+    if (outlook.first >= 0) make_room(outlook.first);  // most often this settles it
+    for (const auto candidate : candidates)
+        if (outlook.room > 0) make_room(candidate);
     return outlook;
 }
 

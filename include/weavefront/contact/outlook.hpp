@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "weavefront/contact/facet_runs.hpp"
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/contact/touching.hpp"
 
@@ -21,8 +22,7 @@ struct Outlook {
 /// Looks from one facet at its candidates.
 /// @param f          the facet, with its corners (m) and those of the part that its points span (m)
 /// @param enough     less room than this is not worth knowing, m
-Outlook look_around(std::int32_t f, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned,
-                    std::span<const std::int32_t> candidates, const Surface& surface, const Touching& touching, std::span<const Vec3> x,
-                    double enough);
+Outlook look_around(std::int32_t f, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned, const FacetRuns& candidates,
+                    const Surface& surface, const Touching& touching, std::span<const Vec3> x, double enough);
 
 }  // namespace weavefront::contact

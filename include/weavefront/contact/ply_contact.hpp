@@ -50,9 +50,12 @@ class PlyContact {
   private:
     /// Until when what a facet knows of its candidates holds.
     struct Watch {
-        double until = 0;         ///< as bounded by Approach, m
-        std::int32_t first = -1;  ///< the candidate to try first; -1: not known
-        bool clear = false;       ///< it touches nothing
+        static constexpr std::int32_t not_known = -1, none = -2;
+
+        float until = 0;                 ///< as bounded by Approach, m; not later than it is
+        std::int32_t first = not_known;  ///< the candidate to try first; none: the facet touches nothing
+
+        [[nodiscard]] bool clear() const { return first == none; }
     };
     /// Where and when.
     struct Now {
@@ -91,7 +94,7 @@ class PlyContact {
     std::vector<Watch> watches_;         ///< of the owned facets, group by group
     std::vector<double> due_;            ///< of each group: when its first facet has to be looked at, as bounded by Approach, m
     // of the owned facets
-    std::vector<std::int32_t> rules_;
+    std::vector<std::uint8_t> rules_;
     PointMemory memory_;
     std::vector<double> reserves_;  ///< J/m2: see PenaltyLaw
 };

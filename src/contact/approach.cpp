@@ -1,6 +1,7 @@
 #include "weavefront/contact/approach.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace weavefront::contact {
 
@@ -54,13 +55,13 @@ void Approach::advance(std::span<const Vec3> v, double dt) {
         boxes_[static_cast<std::size_t>(g)] = box_around(groups_.nodes(g), v);
     }
     for (std::size_t g = 0; g < so_far_.size(); ++g) {
-        auto [low, opposite] = boxes_[g];
+        const auto& own = boxes_[g];
+        double fastest = 0;
         for (auto k = first_[g]; k < first_[g + 1]; ++k) {
             const auto& other = boxes_[static_cast<std::size_t>(meeting_[static_cast<std::size_t>(k)])];
-            low = low.min(other.low);
-            opposite = opposite.min(other.opposite);
+            fastest = std::max(fastest, (own.low + other.opposite).min(other.low + own.opposite).matrix().squaredNorm());
         }
-        so_far_[g] += dt * (low + opposite).matrix().norm();
+        so_far_[g] += dt * std::sqrt(fastest);
     }
 }
 

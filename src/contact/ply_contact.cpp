@@ -10,9 +10,9 @@ namespace weavefront::contact {
 
 namespace {
 
-// Of the touching distance. A facet looks around again when others have approached by a skin, and a facet with less room than is worth
-// waiting for is evaluated in every step.
-constexpr double skin_in_touching = 0.5, worth_waiting_in_touching = 0.05;
+// Of the touching distance. A facet with less room than is worth waiting for is evaluated in every step, until others have approached so
+// far that looking again is worth while.
+constexpr double worth_waiting_in_touching = 0.02, look_again_in_touching = 0.1;
 
 float not_above(double value) { return std::nextafter(static_cast<float>(value), 0.0F); }
 
@@ -75,23 +75,30 @@ void PlyContact::update_candidates(const Surface& surface, std::span<const Vec3>
             const auto ply = surface.facets[static_cast<std::size_t>(f)].ply;
             // Candidates have new places, and through a hole a facet may meet what it was not known to be clear of.
             const bool through_hole = !candidates.empty() && surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1;
-            if (!watch.clear() || through_hole) watch = {};
+            if (!watch.clear || through_hole) watch = {};
+            watch.first = -1;
             if (!surface.alive[static_cast<std::size_t>(f)]) memory_.forget(f);
         }
     std::ranges::fill(due_, 0);
 }
 
 void PlyContact::look_around(std::int32_t f, Watch& watch, double so_far, const Now& now) {
-    const auto corners = corners_of(now.surface.facets[static_cast<std::size_t>(f)].nodes, now.x);
-    const auto spanned = quadrature_.spanned(rules_[static_cast<std::size_t>(f)], corners);
-    const double skin = skin_in_touching * touching_.most(), enough = worth_waiting_in_touching * touching_.most();
-    const auto outlook = contact::look_around(f, corners, spanned, candidates_.of(f), now.surface, touching_, now.x, enough);
-    if (outlook.room > 0)
-        watch = {.until = not_above(so_far + outlook.room), .first = Watch::none};
-    else if (outlook.lead > enough)
-        watch = {.until = not_above(so_far + std::min(outlook.lead, skin)), .first = outlook.first};
-    else
-        watch = {.until = not_above(so_far + skin), .first = Watch::not_known};
+    const auto& facet = now.surface.facets[static_cast<std::size_t>(f)];
+    const auto corners = corners_of(facet.nodes, now.x);
+    const auto candidates = candidates_.of(f);
+    const double enough = worth_waiting_in_touching * touching_.most(), again = look_again_in_touching * touching_.most();
+    watch.clear = false;  // as long as it remembers something it is evaluated
+    if (!memory_.holds(f)) {
+        const auto rule = rules_[static_cast<std::size_t>(f)];
+        const Viewpoints points(quadrature_.rule(rule), corners, quadrature_.spanned(rule, corners));
+        const double room = room_around(facet.ply, points, watch.first, candidates, now.surface, touching_, now.x, enough);
+        watch.clear = room > 0;
+        watch.until = not_above(so_far + room);
+        if (watch.clear && watch.first >= 0) return;
+    }
+    const auto nearest = find_nearest(facet.ply, centre_of(corners), candidates, now.surface, now.x);
+    watch.first = watch.clear || nearest.lead > enough ? nearest.facet : -1;
+    if (!watch.clear) watch.until = not_above(so_far + (watch.first < 0 ? again : std::min(nearest.lead, again)));
 }
 
 // A point takes what it meets first in the order of near facets. Nearly always that is the first of all candidates: the others are looked
@@ -177,11 +184,8 @@ void PlyContact::evaluate_group(std::int32_t g, const Now& now, std::vector<Pair
         const auto f = approach_.facets(g)[k];
         if (!now.surface.alive[static_cast<std::size_t>(f)]) continue;
         if (so_far >= watch.until) look_around(f, watch, so_far, now);
-        if (!watch.clear() || memory_.holds(f)) {
-            evaluate_facet(f, watch.first, now, forces);
-            if (memory_.holds(f) && watch.clear()) watch.first = Watch::not_known;
-        }
-        due = std::min(due, watch.clear() ? static_cast<double>(watch.until) : so_far);
+        if (!watch.clear) evaluate_facet(f, watch.first, now, forces);
+        due = std::min(due, watch.clear ? static_cast<double>(watch.until) : so_far);
     }
 }
 

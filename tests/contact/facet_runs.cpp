@@ -30,7 +30,9 @@ TEST(FacetLists, GiveBackWhatWasAddedInItsOrder) {
         const auto runs = kept.of(static_cast<std::int32_t>(n));
         EXPECT_EQ(all_of(runs), lists[n]) << n;
         EXPECT_EQ(runs.empty(), lists[n].empty());
-        if (!runs.empty()) EXPECT_EQ(runs.back(), lists[n].back());
+        if (!runs.empty()) {
+            EXPECT_EQ(runs.back(), lists[n].back());
+        }
     }
 }
 

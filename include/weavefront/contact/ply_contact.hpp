@@ -48,15 +48,13 @@ class PlyContact {
     std::span<const double> restore(std::int32_t facet, std::span<const double> record);
 
   private:
-    /// Until when what a facet knows of its candidates holds.
-    struct Watch {
-        static constexpr std::int32_t not_known = -1, none = -2;
-
-        float until = 0;                 ///< as bounded by Approach, m; not later than it is
-        std::int32_t first = not_known;  ///< the candidate to try first; none: the facet touches nothing
-
-        [[nodiscard]] bool clear() const { return first == none; }
+    /// What a facet knows of its candidates. There is one for every element of a rank.
+    struct [[gnu::packed]] Watch {
+        float until = 0;          ///< as bounded by Approach, m: so long it holds, and not longer than it does
+        std::int32_t first = -1;  ///< the nearest candidate, or -1: not known; where the facet is clear, the one that was
+        bool clear = false;       ///< the facet touches nothing
     };
+    static_assert(sizeof(Watch) == 9);
     /// Where and when.
     struct Now {
         const Surface& surface;

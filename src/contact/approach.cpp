@@ -1,6 +1,7 @@
 #include "weavefront/contact/approach.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace weavefront::contact {
 
@@ -32,13 +33,16 @@ Approach::Approach(const Surface& surface, std::span<const Vec3> x) {
 void Approach::rebuild(const Surface& surface, const Candidates& candidates, std::span<const Vec3> x) {
     groups_.group(surface, x, surface.owned, static_cast<std::int32_t>(surface.facets.size()));
     boxes_.resize(static_cast<std::size_t>(groups_.count()));
+    std::vector<std::int32_t> group_of(surface.facets.size());
+    for (std::int32_t g = 0; g < groups_.count(); ++g)
+        for (const auto f : groups_.facets(g)) group_of[static_cast<std::size_t>(f)] = g;
     first_.assign(1, 0);
     meeting_.clear();
     for (std::int32_t g = 0; g < groups(); ++g) {
         const auto start = first_.back();
         for (const auto f : groups_.facets(g))
             for (const auto other : candidates.of(f)) {
-                const auto group = groups_.of(other);
+                const auto group = group_of[static_cast<std::size_t>(other)];
                 if (std::find(meeting_.begin() + start, meeting_.end(), group) == meeting_.end()) meeting_.push_back(group);
             }
         first_.push_back(static_cast<std::int32_t>(meeting_.size()));
@@ -51,13 +55,13 @@ void Approach::advance(std::span<const Vec3> v, double dt) {
         boxes_[static_cast<std::size_t>(g)] = box_around(groups_.nodes(g), v);
     }
     for (std::size_t g = 0; g < so_far_.size(); ++g) {
-        auto [low, opposite] = boxes_[g];
+        const auto& own = boxes_[g];
+        double fastest = 0;
         for (auto k = first_[g]; k < first_[g + 1]; ++k) {
             const auto& other = boxes_[static_cast<std::size_t>(meeting_[static_cast<std::size_t>(k)])];
-            low = low.min(other.low);
-            opposite = opposite.min(other.opposite);
+            fastest = std::max(fastest, (own.low + other.opposite).min(other.low + own.opposite).matrix().squaredNorm());
         }
-        so_far_[g] += dt * (low + opposite).matrix().norm();
+        so_far_[g] += dt * std::sqrt(fastest);
     }
 }
 

@@ -70,7 +70,7 @@ Candidates find_candidates(const Surface& surface, std::span<const Vec3> x, doub
     for (const auto& facets : by_ply) bins.emplace_back(boxes, facets, size);
 
     Candidates candidates;
-    candidates.first.reserve(static_cast<std::size_t>(surface.owned) + 1);
+    candidates.reserve(static_cast<std::size_t>(surface.owned));
     std::vector<std::int32_t> found;
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
@@ -87,14 +87,14 @@ Candidates find_candidates(const Surface& surface, std::span<const Vec3> x, doub
             look_behind = false;
             for (const auto other : found) {
                 if (surface.alive[static_cast<std::size_t>(other)])
-                    candidates.facets.push_back(other);
+                    candidates.add(other);
                 else
                     look_behind = true;
             }
         }
-        candidates.first.push_back(static_cast<std::int32_t>(candidates.facets.size()));
+        candidates.end_list();
     }
-    candidates.facets.shrink_to_fit();
+    candidates.shrink_to_fit();
     return candidates;
 }
 

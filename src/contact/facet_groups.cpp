@@ -18,7 +18,6 @@ void FacetGroups::group(const Surface& surface, std::span<const Vec3> x, std::in
     }
     facets_.resize(static_cast<std::size_t>(first_.back()));
     nodes_.resize(static_cast<std::size_t>(first_node_.back()));
-    group_of_.resize(static_cast<std::size_t>(end));
     std::vector<std::int32_t> facets(static_cast<std::size_t>(end - first));
     std::iota(facets.begin(), facets.end(), first);
     const auto ply_of = [&](std::int32_t f) { return surface.facets[static_cast<std::size_t>(f)].ply; };
@@ -33,6 +32,7 @@ void FacetGroups::group(const Surface& surface, std::span<const Vec3> x, std::in
         split(surface, centres, {ply, next});
         ply = next;
     }
+    nodes_.shrink_to_fit();
 }
 
 void FacetGroups::split(const Surface& surface, const std::vector<Vec3>& centres, std::span<std::int32_t> facets) {
@@ -51,7 +51,6 @@ void FacetGroups::split(const Surface& surface, const std::vector<Vec3>& centres
     }
     const auto begin = static_cast<std::ptrdiff_t>(nodes_.size());
     for (const auto f : facets) {
-        group_of_[static_cast<std::size_t>(f)] = count();
         const auto& nodes = surface.facets[static_cast<std::size_t>(f)].nodes;
         nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
     }

@@ -13,7 +13,7 @@ void NearFacets::start(const Facet& facet, const std::array<Vec3, 4>& corners) {
     for (const auto& corner : corners) front_ = std::max(front_, (corner - centre_).dot(normal_));
 }
 
-void NearFacets::add(std::span<const std::int32_t> candidates, FacetLines& lines, const Surface& surface, const Touching& touching,
+void NearFacets::add(const FacetRuns& candidates, FacetLines& lines, const Surface& surface, const Touching& touching,
                      std::span<const Vec3> x) {
     const auto known = static_cast<std::ptrdiff_t>(near_.size());
     const auto sooner = [](const Near& l, const Near& r) { return l.ply != r.ply ? l.ply < r.ply : l.apart < r.apart; };

@@ -1,23 +1,32 @@
 #include "weavefront/contact/nodal_normals.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace weavefront::contact {
 
 void NodalNormals::rebuild(const Surface& surface, std::size_t nodes) {
-    first_.assign(nodes + 1, 0);
+    std::vector<std::int32_t> next(nodes + 1, 0);  // while they are sorted in: where each node's begin, and then end
     for (const auto& facet : surface.facets)
-        for (const auto node : facet.nodes) ++first_[static_cast<std::size_t>(node) + 1];
-    for (std::size_t n = 0; n < nodes; ++n) first_[n + 1] += first_[n];
-    around_.resize(static_cast<std::size_t>(first_.back()));
-    auto next = first_;
+        for (const auto node : facet.nodes) ++next[static_cast<std::size_t>(node) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<std::int32_t> around(static_cast<std::size_t>(next.back()));
     for (std::size_t f = 0; f < surface.facets.size(); ++f)
         for (const auto node : surface.facets[f].nodes)
-            around_[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = static_cast<std::int32_t>(f);
+            around[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = static_cast<std::int32_t>(f);
     const auto by_id = [&](std::int32_t a, std::int32_t b) {
         return surface.facets[static_cast<std::size_t>(a)].id < surface.facets[static_cast<std::size_t>(b)].id;
     };
-    for (std::size_t n = 0; n < nodes; ++n) std::sort(around_.begin() + first_[n], around_.begin() + first_[n + 1], by_id);
+    around_ = {};
+    around_.reserve(nodes);
+    std::ptrdiff_t begin = 0;
+    for (std::size_t n = 0; n < nodes; ++n) {
+        const auto end = static_cast<std::ptrdiff_t>(next[n]);
+        std::sort(around.begin() + begin, around.begin() + end, by_id);
+        for (; begin < end; ++begin) around_.add(around[static_cast<std::size_t>(begin)]);
+        around_.end_list();
+    }
+    around_.shrink_to_fit();
     places_.resize(nodes);
     computed_.clear();
 }
@@ -27,8 +36,8 @@ Vec3 NodalNormals::at(std::int32_t node, const Surface& surface, std::span<const
     const auto place = static_cast<std::size_t>(places_[n]);
     if (place < computed_.size() && computed_[place].node == node) return computed_[place].normal;
     Vec3 sum = Vec3::Zero();
-    for (auto k = first_[n]; k < first_[n + 1]; ++k) {
-        const auto f = static_cast<std::size_t>(around_[static_cast<std::size_t>(k)]);
+    for (const auto facet : around_.of(node)) {
+        const auto f = static_cast<std::size_t>(facet);
         if (!surface.alive[f]) continue;
         const auto corner = [&](std::size_t a) -> const Vec3& { return x[static_cast<std::size_t>(surface.facets[f].nodes[a])]; };
         sum += (corner(2) - corner(0)).cross(corner(3) - corner(1)) / 2;

@@ -1,54 +1,50 @@
 #include "weavefront/contact/outlook.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-
-#include "weavefront/contact/outline.hpp"
 
 namespace weavefront::contact {
 
 namespace {
 
-// A line that meets a facet at a very small angle is not known to the last bits: facets this much farther apart than their touching
-// distance are safely clear of each other.
-constexpr double rounding = 0.01;
-
-/// Finds the candidate whose centre is nearest to that of the facet; it must lie in the next ply.
-void find_first(Outlook& outlook, std::int32_t ply, const Vec3& centre, std::span<const std::int32_t> candidates, const Surface& surface,
-                std::span<const Vec3> x) {
-    if (candidates.empty() || surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1) return;
-    double nearest = std::numeric_limits<double>::max(), second = nearest;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const auto other = static_cast<std::size_t>(candidates[k]);
-        if (!surface.alive[other]) continue;
-        const double apart = (centre_of(corners_of(surface.facets[other].nodes, x)) - centre).squaredNorm();
-        second = std::min(second, std::max(apart, nearest));
-        if (apart >= nearest) continue;
-        nearest = apart;
-        outlook.first = static_cast<std::int32_t>(k);
-    }
-    outlook.lead = (1 - rounding) * (std::sqrt(second) - std::sqrt(nearest)) / 2;
-}
+// What a line is found to meet lies on the facet; where rounding puts it off the line by e it seems nearer by e^2/2 over its distance.
+// Facets this much farther apart than their touching distance are clear of each other for all e up to a hundredth of that distance, far
+// above what rounding makes of a line.
+constexpr double rounding = 1e-4;
 
 }  // namespace
 
-Outlook look_around(std::int32_t f, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned,
-                    std::span<const std::int32_t> candidates, const Surface& surface, const Touching& touching, std::span<const Vec3> x,
-                    double enough) {
-    const auto ply = surface.facets[static_cast<std::size_t>(f)].ply;
-    const Outline outline(spanned);
-    Outlook outlook{.room = touching.depth() - touching.most()};  // facets that are no candidates lie at least this deep
-    find_first(outlook, ply, centre_of(corners), candidates, surface, x);
+double room_around(std::int32_t ply, const Viewpoints& points, std::int32_t nearest, const FacetRuns& candidates, const Surface& surface,
+                   const Touching& touching, std::span<const Vec3> x, double enough) {
+    double room = touching.depth() - touching.most();  // facets that are no candidates lie at least this deep
     const auto make_room = [&](std::int32_t candidate) {
         const auto& other = surface.facets[static_cast<std::size_t>(candidate)];
         if (!surface.alive[static_cast<std::size_t>(candidate)]) return;
         const double reach = (1 + rounding) * touching.between(ply, other.ply);
-        outlook.room = std::min(outlook.room, outline.distance_to(Outline(corners_of(other.nodes, x)), outlook.room + reach) - reach);
-        if (outlook.room < enough) outlook.room = 0;
+        room = std::min(room, points.distance_to(corners_of(other.nodes, x), room + reach) - reach);
+        if (room < enough) room = 0;
     };
-    if (outlook.first >= 0) make_room(candidates[static_cast<std::size_t>(outlook.first)]);  // most often this settles it
-    for (std::size_t k = 0; k < candidates.size() && outlook.room > 0; ++k) make_room(candidates[k]);
-    return outlook;
+    if (nearest >= 0) make_room(nearest);  // the others most often lie beyond the room that this one leaves
+    for (const auto candidate : candidates)
+        if (room > 0 && candidate != nearest) make_room(candidate);
+    return room;
+}
+
+Nearest find_nearest(std::int32_t ply, const Vec3& centre, const FacetRuns& candidates, const Surface& surface, std::span<const Vec3> x) {
+    if (candidates.empty() || surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1) return {};
+    Nearest found;
+    double nearest = std::numeric_limits<double>::max(), second = nearest;
+    for (const auto candidate : candidates) {
+        if (!surface.alive[static_cast<std::size_t>(candidate)]) continue;
+        const double apart = (centre_of(corners_of(surface.facets[static_cast<std::size_t>(candidate)].nodes, x)) - centre).squaredNorm();
+        second = std::min(second, std::max(apart, nearest));
+        if (apart >= nearest) continue;
+        nearest = apart;
+        found.facet = candidate;
+    }
+    found.lead = (1 - rounding) * (std::sqrt(second) - std::sqrt(nearest)) / 2;
+    return found;
 }
 
 }  // namespace weavefront::contact

@@ -1,6 +1,7 @@
 #include "weavefront/contact/ply_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "weavefront/contact/outlook.hpp"
@@ -9,9 +10,11 @@ namespace weavefront::contact {
 
 namespace {
 
-// Of the touching distance. A facet looks around again when others have approached by a skin, and a facet with less room than is worth
-// waiting for is evaluated in every step.
-constexpr double skin_in_touching = 0.5, worth_waiting_in_touching = 0.05;
+// Of the touching distance. A facet with less room than is worth waiting for is evaluated in every step, until others have approached so
+// far that looking again is worth while.
+constexpr double worth_waiting_in_touching = 0.02, look_again_in_touching = 0.1;
+
+float not_above(double value) { return std::nextafter(static_cast<float>(value), 0.0F); }
 
 std::array<Lanes, 4> shape_functions(const RayHits& hits) {
     std::array<Lanes, 4> N;
@@ -55,10 +58,13 @@ PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spaci
     for (const auto& ply : surface.plies)
         for (const auto& other : surface.plies)
             laws_.emplace_back(law, ply.areal_density * other.areal_density / (ply.areal_density + other.areal_density));
-    for (std::size_t f = 0; f < watches_.size(); ++f) rules_.push_back(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x)));
+    rules_.reserve(watches_.size());
+    for (std::size_t f = 0; f < watches_.size(); ++f)
+        rules_.push_back(static_cast<std::uint8_t>(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x))));
 }
 
 void PlyContact::update_candidates(const Surface& surface, std::span<const Vec3> x, double skin) {
+    candidates_ = {};  // before others take room
     candidates_ = find_candidates(surface, x, touching_.depth() + skin);
     approach_.rebuild(surface, candidates_, x);
     for (std::int32_t g = 0; g < approach_.groups(); ++g)
@@ -70,21 +76,29 @@ void PlyContact::update_candidates(const Surface& surface, std::span<const Vec3>
             // Candidates have new places, and through a hole a facet may meet what it was not known to be clear of.
             const bool through_hole = !candidates.empty() && surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1;
             if (!watch.clear || through_hole) watch = {};
+            watch.first = -1;
             if (!surface.alive[static_cast<std::size_t>(f)]) memory_.forget(f);
         }
     std::ranges::fill(due_, 0);
 }
 
 void PlyContact::look_around(std::int32_t f, Watch& watch, double so_far, const Now& now) {
-    const auto corners = corners_of(now.surface.facets[static_cast<std::size_t>(f)].nodes, now.x);
-    const auto spanned = quadrature_.spanned(rules_[static_cast<std::size_t>(f)], corners);
-    const double skin = skin_in_touching * touching_.most(), enough = worth_waiting_in_touching * touching_.most();
-    const auto outlook = contact::look_around(f, corners, spanned, candidates_.of(f), now.surface, touching_, now.x, enough);
-    watch = {.until = so_far + skin, .first = outlook.lead > enough ? outlook.first : -1, .clear = outlook.room > 0};
-    if (watch.clear)
-        watch.until = so_far + outlook.room;
-    else if (watch.first >= 0)
-        watch.until = so_far + std::min(outlook.lead, skin);
+    const auto& facet = now.surface.facets[static_cast<std::size_t>(f)];
+    const auto corners = corners_of(facet.nodes, now.x);
+    const auto candidates = candidates_.of(f);
+    const double enough = worth_waiting_in_touching * touching_.most(), again = look_again_in_touching * touching_.most();
+    watch.clear = false;  // as long as it remembers something it is evaluated
+    if (!memory_.holds(f)) {
+        const auto rule = rules_[static_cast<std::size_t>(f)];
+        const Viewpoints points(quadrature_.rule(rule), corners, quadrature_.spanned(rule, corners));
+        const double room = room_around(facet.ply, points, watch.first, candidates, now.surface, touching_, now.x, enough);
+        watch.clear = room > 0;
+        watch.until = not_above(so_far + room);
+        if (watch.clear && watch.first >= 0) return;
+    }
+    const auto nearest = find_nearest(facet.ply, centre_of(corners), candidates, now.surface, now.x);
+    watch.first = watch.clear || nearest.lead > enough ? nearest.facet : -1;
+    if (!watch.clear) watch.until = not_above(so_far + (watch.first < 0 ? again : std::min(nearest.lead, again)));
 }
 
 // A point takes what it meets first in the order of near facets. Nearly always that is the first of all candidates: the others are looked
@@ -97,7 +111,8 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
     const auto candidates = candidates_.of(f);
     bool complete = first < 0;
     near_.start(facet, corners);
-    near_.add(complete ? candidates : candidates.subspan(static_cast<std::size_t>(first), 1), lines, now.surface, touching_, now.x);
+    const FacetRun only_first{first, 1};
+    near_.add(complete ? candidates : FacetRuns({&only_first, 1}), lines, now.surface, touching_, now.x);
     pair_of_.assign(near_.size(), -1);
     Slave slave{.facet = f, .velocities = corners_of(facet.nodes, now.v), .points = memory_.recall(f)};
     for (std::size_t b = 0; b < rule.size(); ++b) {
@@ -169,11 +184,8 @@ void PlyContact::evaluate_group(std::int32_t g, const Now& now, std::vector<Pair
         const auto f = approach_.facets(g)[k];
         if (!now.surface.alive[static_cast<std::size_t>(f)]) continue;
         if (so_far >= watch.until) look_around(f, watch, so_far, now);
-        if (!watch.clear || memory_.holds(f)) {
-            evaluate_facet(f, watch.first, now, forces);
-            watch.clear = watch.clear && !memory_.holds(f);
-        }
-        due = std::min(due, watch.clear ? watch.until : so_far);
+        if (!watch.clear) evaluate_facet(f, watch.first, now, forces);
+        due = std::min(due, watch.clear ? static_cast<double>(watch.until) : so_far);
     }
 }
 

@@ -22,7 +22,6 @@ class FacetGroups {
     [[nodiscard]] std::size_t before(std::int32_t group) const { return static_cast<std::size_t>(first_[static_cast<std::size_t>(group)]); }
     /// Nodes of its facets, each once.
     [[nodiscard]] std::span<const std::int32_t> nodes(std::int32_t group) const { return within(nodes_, first_node_, group); }
-    [[nodiscard]] std::int32_t of(std::int32_t facet) const { return group_of_[static_cast<std::size_t>(facet)]; }
 
   private:
     static std::span<const std::int32_t> within(const std::vector<std::int32_t>& all, const std::vector<std::int32_t>& first,
@@ -34,7 +33,6 @@ class FacetGroups {
 
     std::vector<std::int32_t> first_{0}, facets_;
     std::vector<std::int32_t> first_node_{0}, nodes_;
-    std::vector<std::int32_t> group_of_;  ///< by facet
 };
 
 }  // namespace weavefront::contact

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "weavefront/contact/facet_lines.hpp"
+#include "weavefront/contact/facet_runs.hpp"
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/contact/touching.hpp"
 
@@ -21,8 +22,7 @@ class NearFacets {
     void start(const Facet& facet, const std::array<Vec3, 4>& corners);
 
     /// Adds what of some candidates its lines may touch. The one that is there already stays the first.
-    void add(std::span<const std::int32_t> candidates, FacetLines& lines, const Surface& surface, const Touching& touching,
-             std::span<const Vec3> x);
+    void add(const FacetRuns& candidates, FacetLines& lines, const Surface& surface, const Touching& touching, std::span<const Vec3> x);
 
     [[nodiscard]] std::size_t size() const { return near_.size(); }
     [[nodiscard]] std::int32_t operator[](std::size_t k) const { return near_[k].facet; }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/contact/facet_runs.hpp"
 #include "weavefront/contact/surface.hpp"
 
 namespace weavefront::contact {
@@ -31,7 +32,7 @@ class NodalNormals {
     Vec3 at(std::int32_t node, const Surface& surface, std::span<const Vec3> x);
 
   private:
-    std::vector<std::int32_t> first_, around_;  ///< facets around a node, ascending global ids
+    FacetLists around_;  ///< facets around a node, ascending global ids
     struct Computed {
         Vec3 normal;
         std::int32_t node;

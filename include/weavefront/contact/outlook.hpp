@@ -6,23 +6,29 @@
 #include <cstdint>
 #include <span>
 
+#include "weavefront/contact/facet_runs.hpp"
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/contact/touching.hpp"
+#include "weavefront/contact/viewpoints.hpp"
 
 namespace weavefront::contact {
 
-/// What a facet knows of its candidates; they may approach by so much, see Approach, until it has to look again.
-struct Outlook {
-    double room = 0;          ///< m: the facet touches nothing before something has approached by this; 0 where it may touch at once
-    std::int32_t first = -1;  ///< otherwise, the candidate that its points try first; -1: not known
-    double lead = 0;          ///< m: and it stays so until something has approached by this
+/// The candidate whose centre is nearest to that of a facet.
+struct Nearest {
+    std::int32_t facet = -1;  ///< -1: not known, as candidates lie in more than one ply
+    double lead = 0;          ///< m: it stays the nearest until something has approached by this, see Approach
 };
 
-/// Looks from one facet at its candidates.
-/// @param f          the facet, with its corners (m) and those of the part that its points span (m)
-/// @param enough     less room than this is not worth knowing, m
-Outlook look_around(std::int32_t f, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned,
-                    std::span<const std::int32_t> candidates, const Surface& surface, const Touching& touching, std::span<const Vec3> x,
-                    double enough);
+/// @param ply    that of the facet
+/// @param centre of the facet, m
+Nearest find_nearest(std::int32_t ply, const Vec3& centre, const FacetRuns& candidates, const Surface& surface, std::span<const Vec3> x);
+
+/// By how much something may approach, see Approach, until a facet may touch one of its candidates, m.
+/// @param ply    that of the facet
+/// @param points of the facet
+/// @param nearest the candidate to look at first, or -1
+/// @param enough less than this is not worth knowing: 0 is returned instead, m
+double room_around(std::int32_t ply, const Viewpoints& points, std::int32_t nearest, const FacetRuns& candidates, const Surface& surface,
+                   const Touching& touching, std::span<const Vec3> x, double enough);
 
 }  // namespace weavefront::contact

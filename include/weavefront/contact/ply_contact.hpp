@@ -48,12 +48,13 @@ class PlyContact {
     std::span<const double> restore(std::int32_t facet, std::span<const double> record);
 
   private:
-    /// Until when what a facet knows of its candidates holds.
-    struct Watch {
-        double until = 0;         ///< as bounded by Approach, m
-        std::int32_t first = -1;  ///< the candidate to try first; -1: not known
-        bool clear = false;       ///< it touches nothing
+    /// What a facet knows of its candidates. There is one for every element of a rank.
+    struct [[gnu::packed]] Watch {
+        float until = 0;          ///< as bounded by Approach, m: so long it holds, and not longer than it does
+        std::int32_t first = -1;  ///< the nearest candidate, or -1: not known; where the facet is clear, the one that was
+        bool clear = false;       ///< the facet touches nothing
     };
+    static_assert(sizeof(Watch) == 9);
     /// Where and when.
     struct Now {
         const Surface& surface;
@@ -91,7 +92,7 @@ class PlyContact {
     std::vector<Watch> watches_;         ///< of the owned facets, group by group
     std::vector<double> due_;            ///< of each group: when its first facet has to be looked at, as bounded by Approach, m
     // of the owned facets
-    std::vector<std::int32_t> rules_;
+    std::vector<std::uint8_t> rules_;
     PointMemory memory_;
     std::vector<double> reserves_;  ///< J/m2: see PenaltyLaw
 };

@@ -47,10 +47,16 @@ struct Surface {
 struct Box {
     Vec3 low, high;
 
+    static Box around(const std::array<Vec3, 4>& c) {
+        return {c[0].cwiseMin(c[1]).cwiseMin(c[2].cwiseMin(c[3])), c[0].cwiseMax(c[1]).cwiseMax(c[2].cwiseMax(c[3]))};
+    }
     static Box around(const Facet& facet, std::span<const Vec3> x) {
         const auto at = [&](std::size_t a) -> const Vec3& { return x[static_cast<std::size_t>(facet.nodes[a])]; };
         return {at(0).cwiseMin(at(1)).cwiseMin(at(2).cwiseMin(at(3))), at(0).cwiseMax(at(1)).cwiseMax(at(2).cwiseMax(at(3)))};
     }
+
+    /// Along the axis along which the boxes are farthest apart; negative where they meet.
+    [[nodiscard]] double gap_to(const Box& other) const { return (other.low - high).cwiseMax(low - other.high).maxCoeff(); }
 
     [[nodiscard]] bool meets(const Box& other) const {
         return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();

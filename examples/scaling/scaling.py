@@ -32,7 +32,7 @@ def table(options, name, ranks, *more):
     print(done.stdout)
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
-    return {key: [float(row[key]) for row in rows] for key in rows[0] if key != "measured_seconds"}
+    return {key: [float(row[key]) for row in rows] for key in rows[0] if not key.startswith("measured")}
 
 
 def draw(strong, weak, path):

@@ -140,7 +140,7 @@ def measure(build, counted, repeats):
         "targets": TARGETS,
         "one_rank": {**{name: one_rank(run_words(build, []), [*CUT, *overrides], repeats) for name, overrides in cases.items()},
                      "with ply contact, the whole example": one_rank(run_words(build, []), [], 2)},
-        "two_ranks": [two_ranks(build, overrides, repeats) for overrides in ([], FINER)],
+        "two_ranks": [two_ranks(build, overrides, 3 * repeats) for overrides in ([], FINER)],
         "output": output_share(build),
         "memory": {name: json.loads(run(step_command(build, overrides)))["bytes"] - CONNECTIVITY for name, overrides in cases.items()},
         "kernels": rates,

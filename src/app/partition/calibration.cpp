@@ -153,22 +153,19 @@ void require_calibration(const scene::Scene& scene, int ranks) {
 Machine calibrate(const scene::Scene& scene, const parallel::Communicator& comm, int repetitions) {
     const parallel::Communicator self(MPI_COMM_SELF);
     Machine machine{.name = fmt::format("{}, {} ranks", processor(), comm.size()), .ranks = comm.size()};
-    StepTimes alone;
-    if (comm.rank() == 0) {
-        auto paced = repeat_steps(scene, self, repetitions);
-        alone = std::move(paced.times);
-        machine.pace = paced.pace;
-    }
+    PacedSteps alone;
+    if (comm.rank() == 0) alone = repeat_steps(scene, self, self, repetitions);
     sleep_until_all_arrive(comm);
-    const auto together = repeat_steps(scene, self, repetitions).times;
-    const double slowest = comm.max(together.mean());
+    const auto together = repeat_steps(scene, self, comm, repetitions);
+    const double slowest = comm.max(together.times.mean());
     sleep_until_all_arrive(comm);
     time_messages(comm, machine);
     std::string fault;
     if (comm.rank() == 0) {
-        machine.crowding = std::max(1.0, slowest / alone.mean());
+        machine.pace = alone.pace;
+        machine.crowding = std::max(1.0, slowest / together.pace / (alone.times.mean() / alone.pace));
         try {
-            fit_steps(scene, alone, machine);
+            fit_steps(scene, alone.times, machine);
         } catch (const scene::InputError& error) {
             fault = error.messages().front();
         }

@@ -19,9 +19,10 @@ struct PacedSteps {
 };
 
 /// Each step does the same in every repetition, so the quickest of each step is the one least disturbed by whatever else the machine does.
-/// @param comm ranks that compute it
+/// @param comm ranks that compute it together
+/// @param all  ranks that compute it at the same time: before each repetition all but their first leave their cores alone
 /// @throws solver::GuardStop
 /// @note Collective
-PacedSteps repeat_steps(const scene::Scene& scene, const parallel::Communicator& comm, int repetitions);
+PacedSteps repeat_steps(const scene::Scene& scene, const parallel::Communicator& comm, const parallel::Communicator& all, int repetitions);
 
 }  // namespace weavefront::app

@@ -1,6 +1,9 @@
 #include "weavefront/parallel/communicator.hpp"
 
 #include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 
 namespace weavefront::parallel {
@@ -13,9 +16,30 @@ void check(int code) {
     throw std::runtime_error("MPI: " + std::string(text.data(), static_cast<std::size_t>(length)));
 }
 
-Environment::Environment(int* argc, char*** argv) { check(MPI_Init(argc, argv)); }
+namespace {
 
-Environment::~Environment() { MPI_Finalize(); }
+/// A rank without memory would leave the others waiting for it.
+[[noreturn]] void end_all_ranks() {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    std::fprintf(stderr, "weavefront: error: rank %d is out of memory\n", rank);
+    MPI_Abort(MPI_COMM_WORLD, 3);
+    std::abort();
+}
+
+}  // namespace
+
+Environment::Environment(int* argc, char*** argv) {
+    check(MPI_Init(argc, argv));
+    int ranks = 1;
+    check(MPI_Comm_size(MPI_COMM_WORLD, &ranks));
+    if (ranks > 1) std::set_new_handler(end_all_ranks);
+}
+
+Environment::~Environment() {
+    std::set_new_handler(nullptr);
+    MPI_Finalize();
+}
 
 Communicator::Communicator(MPI_Comm original) {
     check(MPI_Comm_dup(original, &comm_));

@@ -14,7 +14,8 @@ namespace weavefront::parallel {
 /// Throws std::runtime_error with MPI's own text when `code` is not MPI_SUCCESS.
 void check(int code);
 
-/// Initialises MPI and finalises it at the end of its life.
+/// Initialises MPI and finalises it at the end of its life. While it lives, a rank among several that runs out of memory says so and ends
+/// all of them with exit status 3.
 class Environment {
   public:
     Environment(int* argc, char*** argv);

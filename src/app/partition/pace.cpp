@@ -9,7 +9,7 @@ namespace weavefront::app {
 
 namespace {
 
-/// The paper's fabric, small enough for the first-level caches of a few cores and long enough for the clock.
+/// The paper's fabric in a scene that is always the same: a thousand elements, which stay in the processor's own caches.
 constexpr auto scene_text = R"(
 title: pace
 fabrics:
@@ -35,8 +35,8 @@ output: {interval: 0, history: 10 us}
 )";
 constexpr int runs = 10;
 
-}  // namespace
-
+/// Processor time of an element-step of that scene on the calling rank, s. Processors that share power or cores with others change their
+/// speed from minute to minute, and with it all of a step.
 double pace() {
     static const auto scene = scene::parse_scene(scene_text, "pace");
     const parallel::Communicator self(MPI_COMM_SELF);
@@ -47,6 +47,8 @@ double pace() {
     }
     return sum / runs;
 }
+
+}  // namespace
 
 PacedSteps repeat_steps(const scene::Scene& scene, const parallel::Communicator& comm, const parallel::Communicator& all, int repetitions) {
     PacedSteps paced;

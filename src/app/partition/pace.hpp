@@ -8,14 +8,10 @@
 
 namespace weavefront::app {
 
-/// Processor time of an element-step of a small scene that is always the same, on the calling rank, s. Processors that share power or
-/// cores with others change their speed from minute to minute, and with it all of a step.
-double pace();
-
-/// Steps of an impact that was computed several times over, and the least pace of the first rank, alone, in between.
+/// Steps of an impact that was computed several times over, and the pace of the processor in between.
 struct PacedSteps {
     StepTimes times;
-    double pace = std::numeric_limits<double>::max();  ///< s, on the first rank
+    double pace = std::numeric_limits<double>::max();  ///< least time of an element-step of a small scene, first rank alone, s
 };
 
 /// Each step does the same in every repetition, so the quickest of each step is the one least disturbed by whatever else the machine does.

@@ -14,6 +14,7 @@
 #include "partition/scaling_table.hpp"
 #include "shared_text.hpp"
 #include "weavefront/io/replace_file.hpp"
+#include "weavefront/parallel/on_root.hpp"
 #include "weavefront/partition/machine.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/guard.hpp"
@@ -77,7 +78,7 @@ void scale(const Options& options, const scene::Scene& scene, const parallel::Co
                                                  : parse_machine(shared_text(options.machine, comm), options.machine.string());
     const auto ranks = rank_counts(options, scene);
     std::vector<ScalingRow> rows;
-    if (comm.rank() == 0) rows = forecast_all(scene, options.weak, ranks, machine);
+    parallel::on_root(comm, [&] { rows = forecast_all(scene, options.weak, ranks, machine); });
     if (options.measure) measure(options, scene, comm, rows, ranks, machine);
     if (comm.rank() != 0) return;
     fmt::print("{}\n  machine    {}\n{}", scene.title, machine.name, terminal_table(rows));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "weavefront/parallel/all_to_all.hpp"
+#include "weavefront/parallel/on_root.hpp"
 
 namespace weavefront::solver {
 
@@ -120,11 +121,11 @@ std::optional<Rebalancing> LoadWatch::look(const Simulation& simulation, const p
     outgoing[0] = column_loads(simulation);
     const auto by_rank = parallel::all_to_all(comm, outgoing);
     Rebalancing rebalancing{{comm.size(), {}}, 0, 0};
-    if (comm.rank() == 0) {
+    parallel::on_root(comm, [&] {
         const auto& panel = simulation.panel();
         const auto loads = loads_of(panel, by_rank, zone_.distances(panel), zone_.radius(simulation.time()));
         rebalancing = decomposed(panel, loads, costs_of(loads, sum.elements, sum.contact), limit_);
-    }
+    });
     comm.broadcast(rebalancing.decomposition.owner);
     rebalancing.measured = measured;
     rebalancing.predicted = comm.max(rebalancing.predicted);

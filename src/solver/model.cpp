@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "weavefront/mesh/part.hpp"
+#include "weavefront/parallel/on_root.hpp"
 #include "weavefront/partition/run_decomposition.hpp"
 
 namespace weavefront::solver {
@@ -123,7 +124,7 @@ partition::Decomposition initial_decomposition(const scene::Scene& scene, const 
                                                const parallel::Communicator& comm) {
     partition::Decomposition decomposition{comm.size(), {}};
     if (comm.size() > panel.columns()) return partition::decompose(panel, {}, comm.size());  // throws on every rank
-    if (comm.rank() == 0) decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach);
+    parallel::on_root(comm, [&] { decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach); });
     comm.broadcast(decomposition.owner);
     return decomposition;
 }

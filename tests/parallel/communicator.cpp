@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "weavefront/parallel/all_to_all.hpp"
+#include "weavefront/parallel/on_root.hpp"
 
 namespace weavefront::test {
 namespace {
@@ -44,6 +45,16 @@ TEST(Communicator, BroadcastsFromRankZero) {
     if (comm.rank() == 0) values = {3, -1, 4};
     comm.broadcast(values);
     EXPECT_EQ(values, (std::vector<std::int32_t>{3, -1, 4}));
+}
+
+TEST(OnRoot, WhatFailsThereFailsOnAllRanks) {
+    const Communicator comm(MPI_COMM_WORLD);
+    int calls = 0;
+    parallel::on_root(comm, [&] { ++calls; });
+    EXPECT_EQ(calls, comm.rank() == 0 ? 1 : 0);
+    const auto fail = [] { throw std::invalid_argument("no such thing"); };
+    EXPECT_EQ(parallel::failure_on_root(comm, fail), "no such thing");
+    EXPECT_THROW(parallel::on_root(comm, fail), std::runtime_error);
 }
 
 TEST(Communicator, NamesWhatMpiRefuses) {

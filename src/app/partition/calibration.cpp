@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <limits>
 #include <span>
@@ -13,6 +14,7 @@
 #include "ranks_apart.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/exchange.hpp"
+#include "weavefront/parallel/on_root.hpp"
 #include "weavefront/partition/contact_zone.hpp"
 #include "weavefront/partition/forecast.hpp"
 #include "weavefront/scene/read.hpp"
@@ -154,23 +156,25 @@ Machine calibrate(const scene::Scene& scene, const parallel::Communicator& comm,
     const parallel::Communicator self(MPI_COMM_SELF);
     Machine machine{.name = fmt::format("{}, {} ranks", processor(), comm.size()), .ranks = comm.size()};
     PacedSteps alone;
-    if (comm.rank() == 0) alone = repeat_steps(scene, self, self, repetitions);
+    std::exception_ptr failure;
+    try {
+        if (comm.rank() == 0) alone = repeat_steps(scene, self, self, repetitions);
+    } catch (...) {
+        failure = std::current_exception();
+    }
     sleep_until_all_arrive(comm);
+    parallel::on_root(comm, [&] {
+        if (failure) std::rethrow_exception(failure);
+    });
     const auto together = repeat_steps(scene, self, comm, repetitions);
     const double slowest = comm.max(together.times.mean());
     sleep_until_all_arrive(comm);
     time_messages(comm, machine);
-    std::string fault;
-    if (comm.rank() == 0) {
+    const auto fault = parallel::failure_on_root(comm, [&] {
         machine.pace = alone.pace;
         machine.crowding = std::max(1.0, slowest / together.pace / (alone.times.mean() / alone.pace));
-        try {
-            fit_steps(scene, alone.times, machine);
-        } catch (const scene::InputError& error) {
-            fault = error.messages().front();
-        }
-    }
-    fault = comm.broadcast(fault);
+        fit_steps(scene, alone.times, machine);
+    });
     if (!fault.empty()) throw scene::InputError({fault});
     return machine;
 }

@@ -1,0 +1,34 @@
+#pragma once
+/// @file
+/// What rank 0 does for all.
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "weavefront/parallel/communicator.hpp"
+
+namespace weavefront::parallel {
+
+/// Runs `action` on rank 0. @return what it threw, on all ranks; empty: nothing @note Collective
+template <class Action>
+std::string failure_on_root(const Communicator& comm, Action&& action) {
+    std::string failure;
+    try {
+        if (comm.rank() == 0) action();
+    } catch (const std::exception& error) {
+        failure = error.what();
+    }
+    return comm.broadcast(failure);
+}
+
+/// Runs `action` on rank 0, for whose outcome the others wait later on: they must not do so for ever.
+/// @throws std::runtime_error on all ranks when it throws on rank 0
+/// @note Collective
+template <class Action>
+void on_root(const Communicator& comm, Action&& action) {
+    const auto failure = failure_on_root(comm, action);
+    if (!failure.empty()) throw std::runtime_error(failure);
+}
+
+}  // namespace weavefront::parallel

@@ -145,8 +145,8 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
                               summary.max_displacement * 1e3));
     log_.info(
         fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded", last.broken_yarns, last.eroded_elements));
-    log_.info(fmt::format("  energy        closes within {:.3g} % of the initial energy, hourglass {:.3g} J, contact {:.3g} J",
-                          last.energy_error * 100, last.hourglass, last.contact));
+    log_.info(fmt::format("  energy        closes within {:.3g} % of the {:.4g} J handed over, hourglass {:.3g} J, contact {:.3g} J",
+                          simulation.counts().largest_closure * 100, last.turnover, last.hourglass, last.contact));
     if (simulation.counts().lowest_contact_energy < 0)
         log_.warn(fmt::format("contact gave energy: its work went down to {:.3g} J", simulation.counts().lowest_contact_energy));
     if (inverted[0] > 0) log_.warn(fmt::format("up to {} elements at a time were folded over themselves", inverted[0]));

@@ -7,7 +7,7 @@ ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const 
     : quadrature_(spacing), rules_(rules_for(quadrature_, surface, x)), memories_(surface.owned) {
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(projectile, ply.thickness / 2);
-        laws_.emplace_back(law, ply.areal_density);  // the projectile is far heavier than the fabric under one point
+        laws_.emplace_back(law, ply.areal_density);  // damps as if the projectile stood still
     }
 }
 

@@ -10,6 +10,23 @@
 
 namespace weavefront::solver {
 
+namespace {
+
+// Part of the initial energy that sums of millions of terms, each rounded to 2^-44 of it, resolve to far better than any limit.
+constexpr double resolved = 0x1p-20;
+
+}  // namespace
+
+void require_balance(const Balance& balance, double limit, std::int64_t step) {
+    const auto when = fmt::format("at t = {:.6g} us, step {} (limits.energy_error allows {:.3g} %)", balance.time * 1e6, step, limit * 100);
+    if (std::abs(balance.closure) > limit)
+        throw GuardStop(fmt::format("the energy balance is off by {:.3g} % of the {:.3g} J that the projectile has handed over {}",
+                                    balance.closure * 100, balance.turnover, when));
+    if (balance.contact < -limit * balance.turnover)
+        throw GuardStop(fmt::format("contact has given {:.3g} J more than it had taken, of {:.3g} J that the projectile has handed over {}",
+                                    -balance.contact, balance.turnover, when));
+}
+
 double Simulation::damping_work(std::size_t node, const Vec3& next, double backward, double forward) const {
     const Vec3& last = model_.nodes.v[node];
     return scene_.damping * model_.nodes.mass[node] * (last + next).dot(backward * last + forward * next) / 4;
@@ -77,7 +94,14 @@ Balance Simulation::balance() {
         balance.contact_force = projectile_force_;
         balance.kinetic_projectile = scene_.projectile->mass * p.velocity.dot(p.velocity + last_dt_ * acceleration) / 2;
     }
-    balance.energy_error = initial_energy_ > 0 ? (balance.total() - initial_energy_) / initial_energy_ : 0;
+    if (initial_energy_ > 0) {
+        const double defect = balance.total() - initial_energy_;
+        turnover_ = std::max({turnover_, balance.total() - balance.kinetic_projectile, resolved * initial_energy_});
+        balance.energy_error = defect / initial_energy_;
+        balance.turnover = turnover_;
+        balance.closure = defect / turnover_;
+    }
+    counts_.largest_closure = std::max(counts_.largest_closure, std::abs(balance.closure));
     counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, balance.contact);
     counts_.max_displacement = std::max(counts_.max_displacement, balance.max_displacement);
     return balance;

@@ -26,22 +26,30 @@ constexpr double skin_in_edges = 1;
 // A time step not more than this factor below its bound is kept: a change costs new relaxation coefficients.
 constexpr double worth_raising = 1.05;
 
+// A projectile so much heavier than the fabric under it stands still to the highest mode: far less than the safety factor leaves.
+constexpr double negligible = 0.01;
+
 /// Contact springs, at their unloading slope u k; a damper of the fraction xi shortens the stable step of central differences by
-/// sqrt(1 + xi^2) + xi. The highest mode of a free stack of n plies has omega^2 = 4 cos^2(pi/(2 n)) u k/m per area.
+/// sqrt(1 + xi^2) + xi. The highest mode of a free stack of n plies has omega^2 = 4 cos^2(pi/(2 n)) u k/m per area; a light projectile adds
+/// its own u k/m, with its cross-section for the area.
 double contact_frequency_squared(const scene::Scene& scene) {
     double lightest = std::numeric_limits<double>::max();
     for (const auto& ply : scene.target->plies)
         lightest = std::min(lightest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density);
-    const auto frequency_squared = [lightest](const scene::ContactLaw& law, double springs) {
+    const auto frequency_squared = [](const scene::ContactLaw& law, double springs, double mass) {
         const double xi = law.damping / std::sqrt(law.unloading), damped = std::sqrt(1 + xi * xi) + xi;
-        return springs * law.unloading * law.stiffness / lightest * damped * damped;
+        return springs * law.unloading * law.stiffness / mass * damped * damped;
     };
     double sum = 0;
     const auto plies = static_cast<double>(scene.target->plies.size());
     if (scene.contact.plies && plies > 1)
-        sum += frequency_squared(*scene.contact.plies, 4 * std::pow(std::cos(std::numbers::pi / (2 * plies)), 2));
-    if (scene.contact.projectile && scene.projectile) sum += frequency_squared(*scene.contact.projectile, 1);
-    if (scene.target->frame) sum += frequency_squared(scene.contact.frame, 1);
+        sum += frequency_squared(*scene.contact.plies, 4 * std::pow(std::cos(std::numbers::pi / (2 * plies)), 2), lightest);
+    if (scene.contact.projectile && scene.projectile) {
+        const double radius = scene.projectile->diameter / 2, mass = scene.projectile->mass / (std::numbers::pi * radius * radius);
+        sum += frequency_squared(*scene.contact.projectile, 1, lightest);
+        if (lightest > negligible * mass) sum += frequency_squared(*scene.contact.projectile, 1, mass);
+    }
+    if (scene.target->frame) sum += frequency_squared(scene.contact.frame, 1, lightest);
     return sum;
 }
 

@@ -62,13 +62,14 @@ class Watch {
     void look() {
         const auto row = simulation_.balance();
         if (simulation_.steps() == 0) initial_ = row.total();
-        const double error = (row.total() - initial_) / initial_;
+        turnover_ = std::max({turnover_, row.total() - row.kinetic_projectile, 0x1p-20 * initial_});
+        const double error = (row.total() - initial_) / turnover_;
         see({row.time, row.projectile.z(), row.projectile_velocity.z(), row.contact_force.z(), row.kinetic_fabric, row.kinetic_projectile,
              row.internal, row.hourglass, row.contact, row.friction, row.damping, row.eroded, row.max_displacement, row.time_step, error});
         result_.time = row.time;
         result_.energy_error = std::max(result_.energy_error, std::abs(error));
-        result_.hourglass_share = std::max(result_.hourglass_share, row.hourglass / initial_);
-        result_.given = std::max(result_.given, -std::min({row.internal, row.friction, row.contact}) / initial_);
+        result_.hourglass_share = std::max(result_.hourglass_share, row.hourglass / turnover_);
+        result_.given = std::max(result_.given, -std::min({row.internal, row.friction, row.contact}) / turnover_);
         result_.broken_yarns = row.broken_yarns;
         result_.eroded_elements = row.eroded_elements;
         if (std::abs(error) > scene_.limits.energy_error)  // as an ordinary run does at each row
@@ -99,7 +100,7 @@ class Watch {
     const scene::Scene& scene_;
     solver::Simulation& simulation_;
     Result& result_;
-    double initial_ = 0;
+    double initial_ = 0, turnover_ = 0;
     Fingerprint fingerprint_;
 };
 

@@ -149,7 +149,7 @@ struct Scene {
         double safety = 0.9;  ///< time step over its bound
     } time;
     struct Limits {
-        double energy_error = 0.05;  ///< the run stops when |closure defect| / initial energy passes this
+        double energy_error = 0.05;  ///< the run stops when the closure defect passes this share of the energy handed over
     } limits;
     Output output;
     std::string resolved;  ///< the scene as YAML with every default written out, SI

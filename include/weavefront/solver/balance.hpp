@@ -22,9 +22,11 @@ struct Balance {
     double contact = 0;    ///< stored and damped in contact
     double friction = 0;   ///< of the yarns
     double damping = 0;
-    double external = 0;  ///< done by supports: none of them moves
-    double eroded = 0;    ///< hourglass potential lost with broken yarns and eroded elements
-    double energy_error = 0;
+    double external = 0;      ///< done by supports: none of them moves
+    double eroded = 0;        ///< hourglass potential lost with broken yarns and eroded elements
+    double energy_error = 0;  ///< closure defect over the initial energy
+    double turnover = 0;      ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
+    double closure = 0;       ///< closure defect over the turnover: what a heavy projectile keeps cannot hide it
     std::int64_t broken_yarns = 0, eroded_elements = 0;
     double max_displacement = 0;  ///< along z, m
     double time_step = 0;         ///< s
@@ -34,5 +36,9 @@ struct Balance {
         return kinetic_fabric + kinetic_projectile + internal + hourglass + contact + friction + damping + eroded - external;
     }
 };
+
+/// @param limit of the closure, and of what contact may have given over the turnover
+/// @throws GuardStop
+void require_balance(const Balance& balance, double limit, std::int64_t step);
 
 }  // namespace weavefront::solver

@@ -24,6 +24,7 @@ struct Counts {
     std::int64_t inverted = 0;         ///< elements found turned over, at the checks
     double max_displacement = 0;       ///< largest of the rows, m
     double lowest_contact_energy = 0;  ///< J, over the rows: below zero contact gave energy
+    double largest_closure = 0;        ///< of the rows, see Balance
 };
 
 /// Distance from a rank's own facets up to which those of others become its ghosts, m; 0: plies are not in contact with each other.
@@ -108,7 +109,7 @@ class Simulation {
 
     parallel::FixedPoint energy_;
     std::int64_t contact_work_ = 0, damping_work_ = 0, eroded_work_ = 0, eroded_friction_ = 0, eroded_hourglass_ = 0;  // of energy_
-    double initial_energy_ = 0;
+    double initial_energy_ = 0, turnover_ = 0;
     Counts counts_;
 };
 

@@ -5,6 +5,8 @@
 
 #include "commands.hpp"
 #include "left_out.hpp"
+#include "memory.hpp"
+#include "weavefront/mesh/panel.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/simulation.hpp"
 
@@ -17,19 +19,27 @@ struct Options {
     std::vector<std::string> overrides;
 };
 
-void check(const Options& options) {
-    const auto scene = scene::read_scene(options.scene, options.overrides);
+void print_time_step(const scene::Scene& scene) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_SELF);
     const solver::Simulation simulation(scene, comm);
-    const auto& panel = simulation.panel();
+    fmt::print("  time step  {:.4g} ns\n", simulation.time_step() * 1e9);
+    fmt::print("  steps      about {:.0f} to {:.6g} us\n", scene.time.end / simulation.time_step(), scene.time.end * 1e6);
+}
+
+void check(const Options& options) {
+    const auto scene = scene::read_scene(options.scene, options.overrides);
+    const auto panel = mesh::make_panel(scene);
     fmt::print("{}: nothing to object to\n", options.scene.string());
     fmt::print("  title      {}\n", scene.title);
     fmt::print("  size       {} elements, {} nodes ({} plies of {} x {} columns, 1/{} of the target)\n", panel.elements(), panel.nodes(),
                panel.plies.size(), panel.columns_x(), panel.columns_y(), panel.multiplicity());
-    fmt::print("  memory     {:.1f} MB for mesh and fabric\n", static_cast<double>(simulation.model().bytes()) / 1e6);
-    fmt::print("  time step  {:.4g} ns\n", simulation.time_step() * 1e9);
-    fmt::print("  steps      about {:.0f} to {:.6g} us\n", scene.time.end / simulation.time_step(), scene.time.end * 1e6);
+    const double needed = memory_needed(panel.elements());
+    fmt::print("  memory     up to {:.3g} MB on all ranks together\n", needed / 1e6);
+    if (needed > memory_here())
+        fmt::print("  time step  not computed: the target does not fit into the {:.3g} MB of this machine\n", memory_here() / 1e6);
+    else
+        print_time_step(scene);
     for (const auto& phrase : left_out(scene, 1)) fmt::print("  left out   {}\n", phrase);
 }
 

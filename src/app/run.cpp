@@ -4,8 +4,10 @@
 
 #include "commands.hpp"
 #include "impact.hpp"
+#include "memory.hpp"
 #include "shared_text.hpp"
 #include "weavefront/io/output_directory.hpp"
+#include "weavefront/mesh/panel.hpp"
 #include "weavefront/scene/read.hpp"
 
 namespace weavefront::app {
@@ -28,8 +30,9 @@ void run(const Options& options) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const auto scene = read_on_root(options, comm);
     require_columns(scene, comm.size());
+    require_memory(mesh::make_panel(scene).elements(), comm.size());
     const auto directory = options.output.empty() ? std::filesystem::path("runs") / options.scene.stem() : options.output;
-    io::prepare_output_directory(directory, comm);
+    const io::OutputDirectory kept(directory, comm);
     Impact(scene, directory, comm, io::Terminal::shown, options.rebalance).to_the_end();
 }
 

@@ -38,7 +38,7 @@ bool compute(const Options& options) {
     const std::vector<StudyEntry> entries = study_entries(study, shared_text(study.scene, comm));
     // Found missing now rather than when everything has been computed.
     if (study.reference.kind == scene::Reference::Kind::file) shared_text(study.reference.file, comm);
-    io::prepare_output_directory(options.output, comm);
+    const io::OutputDirectory kept(options.output, comm);
     io::Log log(options.output, comm);
     log.info(fmt::format("Weavefront {}: study {}", WEAVEFRONT_VERSION, study.title));
     run_study(study, entries, options.output, comm, log);

@@ -1,5 +1,7 @@
 #include "weavefront/io/output_directory.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -23,10 +25,22 @@ void create_writable(const std::filesystem::path& directory) {
 
 }  // namespace
 
-void prepare_output_directory(const std::filesystem::path& directory, const parallel::Communicator& comm) {
+OutputDirectory::OutputDirectory(const std::filesystem::path& path, const parallel::Communicator& comm) {
     Agreement agreement(comm);
-    agreement.attempt_on_root([&] { create_writable(directory); });
+    agreement.attempt_on_root([&] {
+        create_writable(path);
+        lock_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            ::close(lock_);
+            throw FileError("output directory " + path.string() + " is in use by another run");
+        }
+        std::filesystem::remove(path / "summary.json");
+    });
     agreement.settle<FileError>();
+}
+
+OutputDirectory::~OutputDirectory() {
+    if (lock_ >= 0) ::close(lock_);
 }
 
 }  // namespace weavefront::io

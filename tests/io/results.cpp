@@ -49,8 +49,17 @@ TEST_F(ResultsTest, RefuseOtherArraysThanTheirLayout) {
 }
 
 TEST_F(ResultsTest, OutputDirectoryIsCreatedWithItsParents) {
-    prepare_output_directory(directory_ / "a/b", comm_);
-    prepare_output_directory(directory_ / "a/b", comm_);
+    for (int run = 0; run < 2; ++run) {
+        const OutputDirectory kept(directory_ / "a/b", comm_);
+        if (comm_.rank() == 0) std::ofstream(directory_ / "a/b/summary.json") << "{}";
+        const auto message = message_of<FileError>([&] { OutputDirectory(directory_ / "a/b", comm_); });
+        EXPECT_NE(message.find("a/b is in use by another run"), std::string::npos) << message;
+        EXPECT_TRUE(comm_.rank() != 0 || std::filesystem::exists(directory_ / "a/b/summary.json"));
+    }
+    {
+        const OutputDirectory kept(directory_ / "a/b", comm_);
+        EXPECT_TRUE(comm_.rank() != 0 || !std::filesystem::exists(directory_ / "a/b/summary.json")) << "of the run before";
+    }
     if (comm_.rank() == 0) {
         EXPECT_TRUE(std::filesystem::is_directory(directory_ / "a/b"));
     }
@@ -58,7 +67,7 @@ TEST_F(ResultsTest, OutputDirectoryIsCreatedWithItsParents) {
 
 TEST_F(ResultsTest, OutputDirectoryFailsOnAllRanksBelowAFile) {
     if (comm_.rank() == 0) std::ofstream(directory_ / "file") << "text";
-    const auto message = message_of<FileError>([&] { prepare_output_directory(directory_ / "file/run", comm_); });
+    const auto message = message_of<FileError>([&] { OutputDirectory(directory_ / "file/run", comm_); });
     EXPECT_EQ(message, "output directory " + (directory_ / "file/run").string() + " cannot be created: Not a directory");
 }
 

@@ -8,11 +8,22 @@
 
 namespace weavefront::io {
 
-/// Creates the directory with its parents where it does not exist yet, and makes sure that it can be written to.
-/// @param directory  path, the same on all ranks
-/// @param comm       ranks of the run
-/// @throws FileError on all ranks when rank 0 cannot create it or must not write to it
-/// @note Collective
-void prepare_output_directory(const std::filesystem::path& directory, const parallel::Communicator& comm);
+/// Keeps a directory to one run for as long as it lives, where the file system knows locks.
+class OutputDirectory {
+  public:
+    /// Creates the directory with its parents where it does not exist yet, makes sure that it can be written to, and removes the
+    /// summary of an earlier run: whoever finds one finds that of a run that has ended.
+    /// @param path  the same on all ranks
+    /// @param comm  ranks of the run
+    /// @throws FileError on all ranks when rank 0 cannot create it, must not write to it or finds another run there
+    /// @note Collective
+    OutputDirectory(const std::filesystem::path& path, const parallel::Communicator& comm);
+    ~OutputDirectory();
+    OutputDirectory(const OutputDirectory&) = delete;
+    OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+  private:
+    int lock_ = -1;  // descriptor of the directory, on rank 0
+};
 
 }  // namespace weavefront::io

@@ -100,7 +100,7 @@ class StudyRun {
         const std::size_t entry = pending_[job];
         const Clock::time_point begin = Clock::now();
         try {
-            io::prepare_output_directory(folder_of(entry), group);
+            const io::OutputDirectory kept(folder_of(entry), group);
             compute_variant(study_.compute, entries_[entry].input, folder_of(entry), group);
         } catch (const std::exception& error) {  // thrown alike on all ranks of the group; the other groups go on
             if (failure_.empty()) failure_ = entries_[entry].variant.name + ": " + error.what();

@@ -1,0 +1,19 @@
+#pragma once
+/// @file
+/// What a target takes of a machine's memory.
+
+#include <cstdint>
+
+namespace weavefront::app {
+
+/// Bytes that a run takes at the most, on all ranks together: 600 an element, as measured on the large panel of examples/large_panel, whose
+/// set-up takes the most.
+double memory_needed(std::int64_t elements);
+
+/// Bytes that this machine has.
+double memory_here();
+
+/// @throws std::runtime_error when the share of one of the ranks alone is more than this machine has
+void require_memory(std::int64_t elements, int ranks);
+
+}  // namespace weavefront::app

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "doubts.hpp"
 #include "left_out.hpp"
 #include "memory.hpp"
 #include "weavefront/mesh/panel.hpp"
@@ -25,6 +26,7 @@ void print_time_step(const scene::Scene& scene) {
     const solver::Simulation simulation(scene, comm);
     fmt::print("  time step  {:.4g} ns\n", simulation.time_step() * 1e9);
     fmt::print("  steps      about {:.0f} to {:.6g} us\n", scene.time.end / simulation.time_step(), scene.time.end * 1e6);
+    for (const auto& phrase : doubts(scene, simulation.time_step())) fmt::print("warning: {}\n", phrase);
 }
 
 void check(const Options& options) {
@@ -35,12 +37,13 @@ void check(const Options& options) {
     fmt::print("  size       {} elements, {} nodes ({} plies of {} x {} columns, 1/{} of the target)\n", panel.elements(), panel.nodes(),
                panel.plies.size(), panel.columns_x(), panel.columns_y(), panel.multiplicity());
     const double needed = memory_needed(panel.elements());
-    fmt::print("  memory     up to {:.3g} MB on all ranks together\n", needed / 1e6);
+    fmt::print("  memory     up to {} on all ranks together\n", bytes_text(needed));
     if (needed > memory_here())
-        fmt::print("  time step  not computed: the target does not fit into the {:.3g} MB of this machine\n", memory_here() / 1e6);
+        fmt::print("  time step  not computed: the target does not fit into the {} of this machine\n", bytes_text(memory_here()));
     else
         print_time_step(scene);
     for (const auto& phrase : left_out(scene, 1)) fmt::print("  left out   {}\n", phrase);
+    for (const auto& phrase : doubts(scene)) fmt::print("warning: {}\n", phrase);
 }
 
 }  // namespace

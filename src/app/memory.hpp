@@ -3,6 +3,7 @@
 /// What a target takes of a machine's memory.
 
 #include <cstdint>
+#include <string>
 
 namespace weavefront::app {
 
@@ -12,6 +13,9 @@ double memory_needed(std::int64_t elements);
 
 /// Bytes that this machine has.
 double memory_here();
+
+/// In MB, or in GB from 1 GB on.
+std::string bytes_text(double bytes);
 
 /// @throws std::runtime_error when the share of one of the ranks alone is more than this machine has
 void require_memory(std::int64_t elements, int ranks);

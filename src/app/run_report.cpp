@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "doubts.hpp"
 #include "left_out.hpp"
 #include "versions.hpp"
 #include "weavefront/io/progress.hpp"
@@ -96,6 +97,8 @@ void RunReport::start(const solver::Simulation& simulation) {
     log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us", simulation.time_step() * 1e9,
                           scene_.time.end / simulation.time_step(), scene_.time.end * 1e6));
     for (const auto& phrase : left_out(scene_, comm_.size())) log_.info("  left out      " + phrase);
+    for (const auto& phrase : doubts(scene_)) log_.warn(phrase);
+    for (const auto& phrase : doubts(scene_, simulation.time_step())) log_.warn(phrase);
 }
 
 std::string RunReport::projectile_text(const solver::Simulation& simulation) {
@@ -147,6 +150,8 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
         fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded", last.broken_yarns, last.eroded_elements));
     log_.info(fmt::format("  energy        closes within {:.3g} % of the {:.4g} J handed over, hourglass {:.3g} J, contact {:.3g} J",
                           simulation.counts().largest_closure * 100, last.turnover, last.hourglass, last.contact));
+    if (scene_.projectile && array_of(last.projectile_velocity) == scene_.projectile->velocity)
+        log_.warn("the projectile never touched the target");
     if (simulation.counts().lowest_contact_energy < 0)
         log_.warn(fmt::format("contact gave energy: its work went down to {:.3g} J", simulation.counts().lowest_contact_energy));
     if (inverted[0] > 0) log_.warn(fmt::format("up to {} elements at a time were folded over themselves", inverted[0]));

@@ -1,4 +1,4 @@
-"""A run that cannot go on stops with status 1, one message and readable files: guard.py WEAVEFRONT SCENE"""
+"""A run that cannot go on stops with status 1, one message and readable files: guard.py WEAVEFRONT SCENE YARN_SCENE"""
 
 import sys
 import tempfile
@@ -39,7 +39,7 @@ def check_stop(program, scene, output, overrides, cause):
 
 
 def main():
-    program, scene = runs.Program(sys.argv[1]), sys.argv[2]
+    program, scene, yarn = runs.Program(sys.argv[1]), *sys.argv[2:]
     with tempfile.TemporaryDirectory() as folder:
         balance = ["limits.energy_error=1e-9"]
         check_stop(program, scene, Path(folder) / "balance", balance, "energy balance")
@@ -49,6 +49,11 @@ def main():
                     "fabrics.kevlar129.lateral=", "damping=0", "target.plies={count: 1, fabric: kevlar129}", "target.mesh={center: 2 mm}",
                     "contact.projectile={stiffness: 1e11 N/m^3, unloading: 1}"]
         check_stop(program, scene, Path(folder) / "unstable", unstable, "energy balance")
+        # A heavy projectile hands over a millionth of its energy, and it is of this that energy is lost.
+        check_stop(program, yarn, Path(folder) / "heavy", ["time.safety=1.1"], "that the projectile has handed over")
+        # Rows at the ends of the run only.
+        check_stop(program, yarn, Path(folder) / "seldom", [*balance, "time.end=60us", "output.history=60us"], "energy balance")
+        assert runs.summary(Path(folder) / "seldom")["steps"] == 1000
 
 
 main()

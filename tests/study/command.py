@@ -76,6 +76,16 @@ class Study(unittest.TestCase):
         for row in rows:
             self.assertTrue((self.folder / "out" / row["variant"] / "results.vtkhdf").exists(), row["variant"])
 
+    def test_peak_displacement_is_the_largest_of_the_whole_run(self):
+        # Light enough to be thrown back well before the end.
+        text = STUDY.replace("residual_velocity", "peak_displacement").replace("order:", "set: {projectile.mass: 0.01 g, time.end: 60 us}\norder:")
+        self.run_study(text, ranks=2)
+        for row in self.rows():
+            with open(self.folder / "out" / row["variant"] / "history.csv", newline="") as file:
+                displacements = [float(line["max_displacement"]) for line in csv.DictReader(file)]
+            self.assertLess(displacements[-1], 0.9 * max(displacements))
+            self.assertAlmostEqual(float(row["peak_displacement"]) / max(displacements), 1, places=8)
+
     def test_is_the_same_on_any_number_of_ranks(self):
         tables = []
         for ranks in (1, 2, 3):

@@ -145,6 +145,20 @@ class Study(unittest.TestCase):
         value = self.rows()[0]["residual_velocity"]
         table.write_text(table.read_text().replace(value, str(float(value) * 1.02)))
         self.assertIn(f"residual_velocity is {value}, was", self.run_study(arguments=("--check", table), status=1))
+        table.write_text(table.read_text().replace("finished", "stopped"))
+        self.assertIn("outcome is finished, was stopped", self.run_study(arguments=("--check", table), status=1))
+
+    def test_check_refuses_a_table_that_cannot_be_compared_before_anything_is_computed(self):
+        table = self.folder / "before.csv"
+        self.assertIn("before.csv: cannot be read", self.run_study(arguments=("--check", table), ranks=2, status=3))
+        table.write_text("variant,outcome,residual_velocity\ncenter=4mm,finished,fast\n")
+        text = self.run_study(arguments=("--check", table), ranks=2, status=2)
+        self.assertIn("before.csv:2: residual_velocity: found 'fast', allowed a number", text)
+        self.assertIn("before.csv: no column residual_velocity_error", text)
+        self.assertIn("before.csv: no row of center=4mm,velocity.2=100m_s", text)
+        table.write_text("time,residual_velocity\n0,1\n")
+        self.assertIn("found the first column 'time'", self.run_study(arguments=("--check", table), status=2))
+        self.assertFalse((self.folder / "out").exists())
 
 
 unittest.main()

@@ -146,6 +146,7 @@ std::vector<Case> parse_cases(const Study& study, const std::string& scene_text,
                 if (std::ranges::find(messages, message) == messages.end()) messages.push_back(message);
         }
     }
+    if (messages.empty()) messages = study.order_findings;
     if (!messages.empty()) throw InputError(messages);
     return cases;
 }

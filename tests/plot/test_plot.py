@@ -79,6 +79,15 @@ class Pictures(OnRuns):
         late = [name for name in self.drawn(self.hard, "--only", "deformed") if name in ("deformed_150us.png", "deformed_200us.png")]
         self.assertEqual(late, [])
 
+    def test_run_without_a_projectile(self):
+        still = self.folder / "still"
+        write_run(still, count=4, plies=1, projectile=False)
+        # a flat ply has no contour
+        self.assertEqual(self.drawn(still, "--times", "50us"), ["deformed_50us.png", "energies.png", "history.png", "pyramid.json", "section.png"])
+        plot(still, "--only", "history,deformed", "--times", "50us", "--format", "svg")
+        self.assertIn("no projectile", (still / "plots/history.svg").read_text(encoding="utf-8"))
+        self.assertNotIn("m/s<", (still / "plots/deformed_50us.svg").read_text(encoding="utf-8"))
+
     def test_formats(self):
         self.assertEqual(self.drawn(self.soft, "--only", "deformed", "--times", "50us", "--format", "pdf"), ["deformed_50us.pdf"])
         self.assertEqual(self.drawn(self.soft, "--only", "energies", "--format", "svg"), ["energies.svg"])

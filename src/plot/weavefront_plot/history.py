@@ -30,7 +30,10 @@ def draw_history(run, path, measured=None):
         if measured is not None and name in measured:
             panel.plot(measured["time"] * 1e6, measured[name] * factor, "o", ms=4.2, mfc="white", mec=INK, mew=0.9, label="measured")
             panel.legend(loc="best")
-    mark_outcome(axes, time, rows)
+    if run.has_projectile:
+        mark_outcome(axes, time, rows)
+    else:
+        axes[0].text(0.5, 0.6, "no projectile", transform=axes[0].transAxes, ha="center", color=FAINT)
     if np.any(broken):
         axes[2].fill_between(time, broken, step="post", color=RED, alpha=0.25, lw=0)
         axes[2].step(time, broken, where="post", color=RED, lw=1.1)

@@ -26,6 +26,7 @@ std::string folder_part(const std::string& axis, const std::string& label) {
     for (const char c : label) {
         if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+') text += c;
         if (c == '/' || c == '_') text += '_';
+        if (c == '%') text += "percent";
     }
     return text;
 }

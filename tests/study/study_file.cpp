@@ -73,6 +73,11 @@ TEST(StudyFile, VariantsAreTheProductOfTheAxesInOrder) {
     EXPECT_FALSE(variants[2].values[1]);
 }
 
+TEST(StudyFile, NamesOfVariantsKeepTheirUnits) {
+    const std::vector<Variant> variants = variants_of(parse(study_with("slow: {", "5 %: {")));
+    EXPECT_EQ(variants[0].name, "center=2mm,speed=5percent");
+}
+
 TEST(StudyFile, EachVariantHasItsOwnScene) {
     const Study study = parse(study_text);
     const std::vector<Case> cases = parse_cases(study, scene_text, variants_of(study));

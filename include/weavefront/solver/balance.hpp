@@ -23,7 +23,7 @@ struct Balance {
     double friction = 0;   ///< of the yarns
     double damping = 0;
     double external = 0;  ///< done by supports: none of them moves
-    double eroded = 0;    ///< hourglass potential lost with broken yarns and eroded elements
+    double eroded = 0;    ///< hourglass energy let go with broken yarns and eroded elements
     double energy_error = 0;
     std::int64_t broken_yarns = 0, eroded_elements = 0;
     double max_displacement = 0;  ///< along z, m

@@ -7,7 +7,7 @@ from .style import BLUE, BROWN, FAINT, GREEN, INK, ORANGE, PINK, PURPLE, RED, sa
 LEDGER = (("kinetic_projectile", "Kinetic, projectile", BLUE), ("kinetic_fabric", "Kinetic, fabric", ORANGE),
           ("internal", "Internal", GREEN), ("contact", "Contact", PURPLE), ("hourglass", "Hourglass", RED),
           ("friction", "Friction", BROWN), ("damping", "Damping", PINK), ("external", "External work", FAINT),
-          ("eroded", "Left with eroded elements", "#4d9a9a"))
+          ("eroded", "Hourglass, let go with broken\nyarns and eroded elements", "#4d9a9a"))
 FLOOR = 1e-3  # percent; smaller shares are not worth a decade of the picture
 
 

@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from sensitivity import BUILD, HERE, K, history, known
+from sensitivity import BUILD, HERE, K, history, known, report_done
 
 BRACKET = (200, 800)  # m/s; the lower one is stopped in all variants, the upper one in none
 WIDTH = 10  # m/s, of the last bracket
@@ -76,9 +76,10 @@ def collect(options):
     done = {row["variant"] for row in known(options.csv)}
     if not done:
         options.csv.write_text(",".join(FIELDS) + "\n")
-    for variant in VARIANTS:
-        if variant in done or options.only and not any(part in variant for part in options.only.split(",")):
-            continue
+    chosen = [variant for variant in VARIANTS if not options.only or any(part in variant for part in options.only.split(","))]
+    missing = [variant for variant in chosen if variant not in done]
+    report_done(options.csv, len(chosen), len(missing))
+    for variant in missing:
         row = limit(options, variant)
         with open(options.csv, "a", newline="") as file:
             csv.DictWriter(file, FIELDS, lineterminator="\n").writerow(row)

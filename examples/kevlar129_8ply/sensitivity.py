@@ -177,15 +177,24 @@ def known(path):
         return list(csv.DictReader(file))
 
 
+def report_done(path, chosen, missing):
+    """Says what is computed, and how to compute again what is not."""
+    if not chosen:
+        sys.exit("--only chooses no variant")
+    print(f"{chosen - missing} of {chosen} variants are in {path}" + (f", {missing} to compute" if missing else
+          "; to compute one anew, take its line out, or give another file with --csv"), flush=True)
+
+
 def study(options):
     """Runs what is missing and appends each row when it is there."""
     done = {(row["study"], row["variant"]) for row in known(options.csv)}
     if not done:
         options.csv.write_text(",".join(FIELDS) + "\n")
+    chosen = [pair for pair in planned() if not options.only or pair[0] in options.only.split(",")]
+    missing = [pair for pair in chosen if pair not in done]
+    report_done(options.csv, len(chosen), len(missing))
     start = time.monotonic()
-    for pair in planned():
-        if pair in done or options.only and pair[0] not in options.only.split(","):
-            continue
+    for pair in missing:
         if options.minutes and time.monotonic() - start > 60 * options.minutes:
             break
         row = compute(options, *pair)

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "shared_text.hpp"
 #include "study/measure.hpp"
+#include "study/study_check.hpp"
 #include "study/study_entries.hpp"
 #include "study/study_files.hpp"
 #include "study/study_picture.hpp"
@@ -23,11 +25,12 @@ struct Options {
     bool no_picture = false;
 };
 
-void write_results(const scene::Study& study, const std::vector<StudyEntry>& entries, const Options& options, io::Log& log) {
+void write_results(const scene::Study& study, const std::vector<StudyEntry>& entries, const Options& options,
+                   const std::optional<study::TextTable>& before, io::Log& log) {
     const std::vector<StudyRow> rows = measure_study(study, entries, options.output);
     write_study_files(study, entries, rows, options.output);
     report_study(study, entries, rows, log);
-    if (!options.check.empty()) check_against_table(study, options.output / "study.csv", options.check, log);
+    if (before) check_against_table(study, options.output / "study.csv", *before, options.check, log);
 }
 
 /// @returns whether this is the rank that draws
@@ -38,11 +41,13 @@ bool compute(const Options& options) {
     const std::vector<StudyEntry> entries = study_entries(study, shared_text(study.scene, comm));
     // Found missing now rather than when everything has been computed.
     if (study.reference.kind == scene::Reference::Kind::file) shared_text(study.reference.file, comm);
+    std::optional<study::TextTable> before;
+    if (!options.check.empty()) before = table_of_before(study, entries, options.check, comm);
     const io::OutputDirectory kept(options.output, comm);
     io::Log log(options.output, comm);
     log.info(fmt::format("Weavefront {}: study {}", WEAVEFRONT_VERSION, study.title));
     run_study(study, entries, options.output, comm, log);
-    if (comm.rank() == 0) write_results(study, entries, options, log);
+    if (comm.rank() == 0) write_results(study, entries, options, before, log);
     return comm.rank() == 0;
 }
 

@@ -105,9 +105,9 @@ std::string describe(const Value& value) {
         case Value::Kind::scalar:
             return fmt::format("'{}'", value.text);
         case Value::Kind::list:
-            return "a list";
+            return value.items.empty() ? "an empty list" : "a list";
         case Value::Kind::map:
-            return "a map of keys";
+            return value.entries.empty() ? "an empty map" : "a map of keys";
         case Value::Kind::null:
             break;
     }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -25,13 +26,21 @@ void Findings::add(const Location& where, std::string_view path, std::string_vie
     add(where, path, fmt::format("found {}, allowed {}{}", found, allowed, question));
 }
 
-void Findings::raise() {
-    if (findings_.empty()) return;
-    const auto position = [](const Finding& finding) { return std::tuple(finding.line, finding.column); };
-    std::ranges::stable_sort(findings_, {}, position);
+void Findings::take(Findings& other) {
+    std::ranges::move(other.findings_, std::back_inserter(findings_));
+    other.findings_.clear();
+}
+
+std::vector<std::string> Findings::messages() const {
+    std::vector<Finding> sorted = findings_;
+    std::ranges::stable_sort(sorted, {}, [](const Finding& finding) { return std::tuple(finding.line, finding.column); });
     std::vector<std::string> messages;
-    for (Finding& finding : findings_) messages.push_back(std::move(finding.text));
-    throw InputError(std::move(messages));
+    for (Finding& finding : sorted) messages.push_back(std::move(finding.text));
+    return messages;
+}
+
+void Findings::raise() const {
+    if (!findings_.empty()) throw InputError(messages());
 }
 
 }  // namespace weavefront::scene

@@ -28,9 +28,17 @@ class Findings {
     void silence(bool silent) { silent_ = silent; }
     [[nodiscard]] bool silent() const { return silent_; }
 
+    [[nodiscard]] bool empty() const { return findings_.empty(); }
+
+    /// Takes over what another one has noted.
+    void take(Findings& other);
+
+    /// What was noted, in the order of the file.
+    [[nodiscard]] std::vector<std::string> messages() const;
+
     /// Throws everything noted.
     /// @throws InputError unless nothing was
-    void raise();
+    void raise() const;
 
   private:
     struct Finding {

@@ -36,17 +36,24 @@ class Reader {
         study.quantities = quantities();
         tolerances(study.quantities);
         read_tests(root_, study.compute, folder_);
+        root_.refuse_unknown();
+        if (!context_.findings.empty()) context_.findings.take(order_findings_);
+        context_.findings.raise();
+        study.order_findings = order_findings_.messages();
         return study;
     }
 
   private:
     [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& path) const { return (folder_ / path).lexically_normal(); }
 
+    [[nodiscard]] static std::string listed(const std::vector<std::string>& names) {
+        return names.empty() ? "none here" : fmt::format("{}", fmt::join(names, ", "));
+    }
+
     /// Notes a finding unless `name` is one of `names`.
     void require_listed(const Location& where, const std::string& path, const std::string& name, const std::vector<std::string>& names) {
         if (std::ranges::find(names, name) != names.end()) return;
-        context_.findings.add(where, path, "'" + name + "'", names.empty() ? "none here" : fmt::format("{}", fmt::join(names, ", ")),
-                              nearest(name, names));
+        context_.findings.add(where, path, "'" + name + "'", listed(names), nearest(name, names));
     }
 
     std::optional<std::size_t> order(const std::vector<Axis>& axes) {
@@ -55,12 +62,16 @@ class Reader {
         const std::string name = root_.text("order", "");
         std::vector<std::string> names;
         for (const Axis& axis : axes) names.push_back(axis.name);
-        require_listed(entry->value.where, "order", name, names);
         const auto found = std::ranges::find(names, name);
-        if (found == names.end()) return std::nullopt;
+        if (found == names.end()) {
+            // Without a hint: the axis may be the one that is mistyped.
+            order_findings_.add(entry->value.where, "order", "'" + name + "'", listed(names));
+            return std::nullopt;
+        }
         const auto index = static_cast<std::size_t>(found - names.begin());
-        const bool numbers = std::ranges::all_of(axes[index].choices, [](const Choice& choice) { return choice.value > 0.0; });
-        root_.refuse_if(!numbers || axes[index].choices.size() < 2, "order", "an axis of at least two positive quantities");
+        const std::vector<Choice>& choices = axes[index].choices;
+        const bool numbers = std::ranges::all_of(choices, [](const Choice& choice) { return choice.value > 0.0; });
+        root_.refuse_if(!choices.empty() && (!numbers || choices.size() < 2), "order", "an axis of at least two positive quantities");
         return index;
     }
 
@@ -135,12 +146,23 @@ class Reader {
         return quantity;
     }
 
+    /// Whether some quantity has this name in study.csv.
+    [[nodiscard]] bool could_be_quantity(const std::string& name) const {
+        const auto is_history = [&](const std::string& column) {
+            return std::ranges::any_of(norm_names, [&](const auto& norm) { return name == fmt::format("{}_{}", column, norm.first); });
+        };
+        return std::ranges::find(words_.outcomes, name) != words_.outcomes.end() || std::ranges::any_of(words_.columns, is_history) ||
+               std::ranges::any_of(words_.fields, [&](const std::string& field) { return name == field + "_field"; });
+    }
+
     void tolerances(std::vector<Measure>& quantities) {
         root_.optional("tolerance", [&](Section& section) {
             std::vector<std::string> names;
             for (const Measure& quantity : quantities) names.push_back(quantity.name);
+            const bool quantities_known = std::ranges::all_of(names, [&](const std::string& name) { return could_be_quantity(name); });
             for (const std::string& key : section.keys()) {
-                require_listed(section.raw(key)->where, "tolerance", key, names);
+                // Where a quantity is mistyped, the tolerance of what was meant is not a fault of its own.
+                if (quantities_known || !could_be_quantity(key)) require_listed(section.raw(key)->where, "tolerance", key, names);
                 const double value = section.quantity(key, ratio, non_negative);
                 for (Measure& quantity : quantities)
                     if (quantity.name == key) quantity.tolerance = value;
@@ -153,6 +175,7 @@ class Reader {
     Context& context_;
     std::filesystem::path folder_;
     Vocabulary words_;
+    Findings order_findings_;
 };
 
 }  // namespace
@@ -169,8 +192,6 @@ Study parse_study(const std::string& text, const std::string& name, const std::f
     }
     Section root(document, start, "", context);
     Study study = Reader(root, context, std::filesystem::path(name).parent_path()).read(vocabulary);
-    root.refuse_unknown();
-    context.findings.raise();
     study.text = text;
     study.name = name;
     return study;

@@ -26,6 +26,7 @@ std::string folder_part(const std::string& axis, const std::string& label) {
     for (const char c : label) {
         if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+') text += c;
         if (c == '/' || c == '_') text += '_';
+        if (c == '%') text += "percent";
     }
     return text;
 }
@@ -146,6 +147,7 @@ std::vector<Case> parse_cases(const Study& study, const std::string& scene_text,
                 if (std::ranges::find(messages, message) == messages.end()) messages.push_back(message);
         }
     }
+    if (messages.empty()) messages = study.order_findings;
     if (!messages.empty()) throw InputError(messages);
     return cases;
 }

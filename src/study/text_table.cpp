@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <sstream>
 #include <stdexcept>
+
+#include "weavefront/scene/read.hpp"
 
 namespace weavefront::study {
 
@@ -23,17 +25,19 @@ std::vector<std::string> cells_of(const std::string& line) {
     return cells;
 }
 
-TextTable read_table(const std::filesystem::path& path) {
-    std::ifstream file(path);
+TextTable read_table(const std::filesystem::path& path) { return parse_table(scene::read_text(path), path.string()); }
+
+TextTable parse_table(const std::string& text, const std::string& name) {
+    std::istringstream lines(text);
     TextTable table;
     std::string line;
-    if (!file || !std::getline(file, line)) throw std::runtime_error(fmt::format("{}: cannot be read, or is empty", path.string()));
+    if (!std::getline(lines, line)) throw std::runtime_error(fmt::format("{}: empty, allowed a header and rows", name));
     table.header = cells_of(line);
-    while (std::getline(file, line)) {
+    while (std::getline(lines, line)) {
         table.rows.push_back(cells_of(line));
         if (table.rows.back().size() != table.header.size())
-            throw std::runtime_error(fmt::format("{}:{}: found {} cells, allowed {}", path.string(), table.rows.size() + 1,
-                                                 table.rows.back().size(), table.header.size()));
+            throw std::runtime_error(fmt::format("{}:{}: found {} cells, allowed {}", name, table.rows.size() + 1, table.rows.back().size(),
+                                                 table.header.size()));
     }
     return table;
 }

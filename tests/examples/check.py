@@ -89,6 +89,22 @@ class Documents(unittest.TestCase):
             self.assertRegex(usage, rf"{option}\b")
 
 
+class Collections(unittest.TestCase):
+    """The scripts that collect variants skip those in their tables, and say so."""
+
+    def test_say_when_nothing_is_left_to_compute(self):
+        for script, table in (("limit.py", "limit.csv"), ("sensitivity.py", "sensitivity.csv")):
+            with self.subTest(script=script):
+                folder = ROOT / "examples/kevlar129_8ply"
+                with open(folder / table, newline="") as file:
+                    count = len(list(csv.DictReader(file)))
+                # No program is there to compute with.
+                said = call(sys.executable, "-B", folder / script, "--weavefront", "/nonexistent")
+                self.assertEqual(said, f"{count} of {count} variants are in {folder / table}; to compute one anew, take its line out, "
+                                       "or give another file with --csv\n")
+                call(sys.executable, "-B", folder / script, "--weavefront", "/nonexistent", "--only", "nothing of this name", status=1)
+
+
 class CoarseImpact(unittest.TestCase):
     """The demo: the 428 m/s example on a mesh of 2 mm by two ranks."""
 

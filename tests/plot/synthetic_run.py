@@ -84,14 +84,15 @@ def cell_arrays(reference, quads, ply, time, reach):
     return {"stress_fill": fill, "stress_warp": warp, "strain_fill": fill / 96e9, "strain_warp": warp / 96e9}
 
 
-def write_results(path, times, count, plies, perforate, symmetry):
-    """results.vtkhdf as weavefront lays it out: fabric and projectile as two parts of every step."""
+def write_results(path, times, count, plies, perforate, symmetry, projectile):
+    """results.vtkhdf as weavefront lays it out: fabric and, where there is one, projectile as parts of every step."""
     reference, quads, ply = panel(count, plies, symmetry)
-    body, faces = cylinder()
+    body, faces = cylinder() if projectile else (np.empty((0, 3)), np.empty((0, 4), int))
+    parts = 2 if projectile else 1
     n, c = (len(reference), len(body)), (len(quads), len(faces))
     frames = []
     for time in times:
-        points, reach = deflect(reference, time, perforate)
+        points, reach = deflect(reference, time, perforate) if projectile else (reference, 1.0)
         shot = body + [0, 0, motion(time, perforate)[0]]
         ghost = np.where(eroded(reference, quads, ply, time, perforate), 32, 0).astype("u1")
         arrays = cell_arrays(reference, quads, ply, time, reach)
@@ -103,9 +104,9 @@ def write_results(path, times, count, plies, perforate, symmetry):
         file["scene"] = np.frombuffer(scene.encode(), "u1")
         root = file.create_group("VTKHDF")
         root.attrs["Version"], root.attrs["Type"] = (2, 0), np.bytes_("UnstructuredGrid")
-        root["NumberOfPoints"], root["NumberOfCells"], root["NumberOfConnectivityIds"] = n, c, (4 * c[0], 4 * c[1])
+        root["NumberOfPoints"], root["NumberOfCells"], root["NumberOfConnectivityIds"] = n[:parts], c[:parts], (4 * c[0], 4 * c[1])[:parts]
         root["Connectivity"] = np.concatenate([quads.ravel(), faces.ravel()])
-        root["Offsets"] = np.concatenate([4 * np.arange(c[0] + 1), 4 * np.arange(c[1] + 1)])
+        root["Offsets"] = np.concatenate([4 * np.arange(cells + 1) for cells in c[:parts]])
         root["Types"] = np.full(sum(c), 9, "u1")
         root["Points"] = np.concatenate([frame[0] for frame in frames])
         root["PointData/displacement"] = np.concatenate([frame[1] for frame in frames])
@@ -126,10 +127,10 @@ def write_steps(root, times, n, c):
         steps[f"CellDataOffsets/{name}"] = 0 * k if name == "ply" else k * c
 
 
-def write_history(path, end, perforate):
-    """history.csv in the order of its columns."""
+def write_history(path, end, perforate, projectile):
+    """history.csv in the order of its columns; nothing happens without a projectile."""
     time = np.linspace(0, end, 401)
-    z, v = motion(time, perforate)
+    z, v = motion(time, perforate) if projectile else (0 * time, 0 * time)
     initial = 0.5 * MASS * v[0] ** 2
     kinetic = 0.5 * MASS * v**2
     lost = initial - kinetic
@@ -138,15 +139,15 @@ def write_history(path, end, perforate):
     share = {"fabric": 0.45, "internal": 0.40, "hourglass": 0.012, "contact": 0.11, "friction": 0.02, "damping": 0.008}
     columns = [time, zero, zero, z, zero, zero, v, zero, zero, np.gradient(v, time) * MASS, share["fabric"] * lost, kinetic,
                share["internal"] * lost, share["hourglass"] * lost, share["contact"] * lost, share["friction"] * lost,
-               share["damping"] * lost, zero, zero, 2e-4 * np.sin(time / end * 6), broken, broken / 2]
+               share["damping"] * lost, zero, zero, projectile * 2e-4 * np.sin(time / end * 6), broken, broken / 2]
     np.savetxt(path, np.column_stack(columns), delimiter=",", header=HISTORY, comments="", fmt="%.17g")
 
 
-def write_run(folder, count=10, plies=8, perforate=False, frames=9, end=200e-6, symmetry="xy"):
+def write_run(folder, count=10, plies=8, perforate=False, frames=9, end=200e-6, symmetry="xy", projectile=True):
     """The whole folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    write_results(folder / "results.vtkhdf", np.linspace(0, end, frames), count, plies, perforate, symmetry)
-    write_history(folder / "history.csv", end, perforate)
+    write_results(folder / "results.vtkhdf", np.linspace(0, end, frames), count, plies, perforate, symmetry, projectile)
+    write_history(folder / "history.csv", end, perforate, projectile)
 
 
 if __name__ == "__main__":

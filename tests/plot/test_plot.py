@@ -20,6 +20,7 @@ for package in (PLOT.parent, PLOT.parent.parent / "share" / "weavefront" / "plot
 from weavefront_plot import deformed
 from weavefront_plot.results import Results
 from weavefront_plot.run import Run
+from weavefront_plot.study import series_label
 
 YARN = "rate,time,strain,stress,failure\n1,0,0,0,0\n1,0.03,0.03,3e9,20\n200,0,0,0,0\n200,2e-4,0.04,5.2e9,{failure}\n"
 
@@ -79,6 +80,15 @@ class Pictures(OnRuns):
         late = [name for name in self.drawn(self.hard, "--only", "deformed") if name in ("deformed_150us.png", "deformed_200us.png")]
         self.assertEqual(late, [])
 
+    def test_run_without_a_projectile(self):
+        still = self.folder / "still"
+        write_run(still, count=4, plies=1, projectile=False)
+        # a flat ply has no contour
+        self.assertEqual(self.drawn(still, "--times", "50us"), ["deformed_50us.png", "energies.png", "history.png", "pyramid.json", "section.png"])
+        plot(still, "--only", "history,deformed", "--times", "50us", "--format", "svg")
+        self.assertIn("no projectile", (still / "plots/history.svg").read_text(encoding="utf-8"))
+        self.assertNotIn("m/s<", (still / "plots/deformed_50us.svg").read_text(encoding="utf-8"))
+
     def test_formats(self):
         self.assertEqual(self.drawn(self.soft, "--only", "deformed", "--times", "50us", "--format", "pdf"), ["deformed_50us.pdf"])
         self.assertEqual(self.drawn(self.soft, "--only", "energies", "--format", "svg"), ["energies.svg"])
@@ -110,6 +120,13 @@ class Pictures(OnRuns):
         text = picture.read_text(encoding="utf-8")
         self.assertIn("primary bonds fail", text)
         self.assertIn("secondary bonds fail", text)
+
+
+class Studies(unittest.TestCase):
+    def test_bare_numbers_in_the_legend_say_of_what(self):
+        study = {"axes": [{"name": "a.formulation"}, {"name": "cell.refinement"}, {"name": "projectile.velocity.2"}, {"name": "h"}], "order_along": "h"}
+        series = {"labels": ["paper", "10", "5 %"], "order": 1.0}
+        self.assertEqual(series_label(study, series).replace("\u2009", " "), "paper, refinement 10, velocity.2 5 %: order 1.0")
 
 
 class Measures(OnRuns):

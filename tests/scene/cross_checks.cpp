@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{{"target.plies.gap=0.1 mm"}, "target.plies.gap: found '0.1 mm', allowed either spacing or gap"},
         Case{{"target.plies.angle=45 deg"},
              "target.plies.angle: found '45 deg', allowed a multiple of 90 deg where the target has a symmetry"},
-        Case{{"target.plies=[]"}, "target.plies: found a list, allowed at least one ply"},
+        Case{{"target.plies=[]"}, "target.plies: found an empty list, allowed at least one ply"},
         Case{{"target.plies=[{fabric: kevlar129, spacing: 1 mm}]"}, "target.plies.0.spacing: found '1 mm', allowed none on the first ply"},
         Case{{"target.plies=[{fabric: kevlar129}, {fabric: kevlar129}]"},
              "target.plies.1.spacing: found nothing, allowed a length greater than 0"},
@@ -105,7 +105,7 @@ TEST(CrossChecks, TouchingIsOutside) { EXPECT_TRUE(findings(example, {"projectil
 
 TEST(CrossChecks, EmptyFabricsAreRefused) {
     EXPECT_EQ(findings("fabrics: {}", {}, Need::fabrics),
-              std::vector<std::string>{"s.yaml:1:1: fabrics: found a map of keys, allowed at least one fabric"});
+              std::vector<std::string>{"s.yaml:1:1: fabrics: found an empty map, allowed at least one fabric"});
     EXPECT_EQ(findings("title: x", {}, Need::fabrics).size(), 1U);
 }
 

@@ -76,6 +76,16 @@ class Study(unittest.TestCase):
         for row in rows:
             self.assertTrue((self.folder / "out" / row["variant"] / "results.vtkhdf").exists(), row["variant"])
 
+    def test_peak_displacement_is_the_largest_of_the_whole_run(self):
+        # Light enough to be thrown back well before the end.
+        text = STUDY.replace("residual_velocity", "peak_displacement").replace("order:", "set: {projectile.mass: 0.01 g, time.end: 60 us}\norder:")
+        self.run_study(text, ranks=2)
+        for row in self.rows():
+            with open(self.folder / "out" / row["variant"] / "history.csv", newline="") as file:
+                displacements = [float(line["max_displacement"]) for line in csv.DictReader(file)]
+            self.assertLess(displacements[-1], 0.9 * max(displacements))
+            self.assertAlmostEqual(float(row["peak_displacement"]) / max(displacements), 1, places=8)
+
     def test_is_the_same_on_any_number_of_ranks(self):
         tables = []
         for ranks in (1, 2, 3):
@@ -135,6 +145,20 @@ class Study(unittest.TestCase):
         value = self.rows()[0]["residual_velocity"]
         table.write_text(table.read_text().replace(value, str(float(value) * 1.02)))
         self.assertIn(f"residual_velocity is {value}, was", self.run_study(arguments=("--check", table), status=1))
+        table.write_text(table.read_text().replace("finished", "stopped"))
+        self.assertIn("outcome is finished, was stopped", self.run_study(arguments=("--check", table), status=1))
+
+    def test_check_refuses_a_table_that_cannot_be_compared_before_anything_is_computed(self):
+        table = self.folder / "before.csv"
+        self.assertIn("before.csv: cannot be read", self.run_study(arguments=("--check", table), ranks=2, status=3))
+        table.write_text("variant,outcome,residual_velocity\ncenter=4mm,finished,fast\n")
+        text = self.run_study(arguments=("--check", table), ranks=2, status=2)
+        self.assertIn("before.csv:2: residual_velocity: found 'fast', allowed a number", text)
+        self.assertIn("before.csv: no column residual_velocity_error", text)
+        self.assertIn("before.csv: no row of center=4mm,velocity.2=100m_s", text)
+        table.write_text("time,residual_velocity\n0,1\n")
+        self.assertIn("found the first column 'time'", self.run_study(arguments=("--check", table), status=2))
+        self.assertFalse((self.folder / "out").exists())
 
 
 unittest.main()

@@ -73,6 +73,11 @@ TEST(StudyFile, VariantsAreTheProductOfTheAxesInOrder) {
     EXPECT_FALSE(variants[2].values[1]);
 }
 
+TEST(StudyFile, NamesOfVariantsKeepTheirUnits) {
+    const std::vector<Variant> variants = variants_of(parse(study_with("slow: {", "5 %: {")));
+    EXPECT_EQ(variants[0].name, "center=2mm,speed=5percent");
+}
+
 TEST(StudyFile, EachVariantHasItsOwnScene) {
     const Study study = parse(study_text);
     const std::vector<Case> cases = parse_cases(study, scene_text, variants_of(study));
@@ -114,6 +119,28 @@ TEST(StudyFile, AllFaultsAreReportedAtOnceWithTheirPlaces) {
                "folder/s.yaml:11:14: quantities.0: found 'outcom', allowed outcome, did you mean 'outcome'?",
                "folder/s.yaml:11:46: quantities.1.norm: found 'min', allowed l1, l2, max",
                "folder/s.yaml:12:13: tolerance: found 'column_min'", "folder/s.yaml:12:25: tolerance.column_min: found '2 kg', a mass"});
+}
+
+TEST(StudyFile, AMistypedAxisIsReportedRatherThanTheOrderThatNamesItRightly) {
+    expect_findings(study_with("target.mesh.center: [", "target.mesh.centre: ["),
+                    {"folder/s.yaml:5:27: target.mesh.centre: found an unknown key, allowed center, edge, growth, did you mean 'center'?",
+                     "folder/s.yaml:5:33: target.mesh.centre: found an unknown key, allowed "});
+    expect_findings(study_with("order: target.mesh.center", "order: target.mesh"),
+                    {"folder/s.yaml:9:8: order: found 'target.mesh', allowed target.mesh.center, speed"});
+}
+
+TEST(StudyFile, AMistypedQuantityIsNoFaultOfItsTolerance) {
+    std::string text = study_with("column_max: 2 %", "outcome: 2 %");
+    text.replace(text.find("[outcome"), 8, "[outcmoe");
+    expect_findings(text, {"folder/s.yaml:11:14: quantities.0: found 'outcmoe', allowed outcome, did you mean 'outcome'?"});
+    expect_findings(study_with("column_max: 2 %", "column_l1: 2 %"), {"folder/s.yaml:12:13: tolerance: found 'column_l1', allowed "});
+}
+
+TEST(StudyFile, EmptyListsAreCalledSo) {
+    expect_findings(study_with("[2 mm, 500 um]", "[]"),
+                    {"folder/s.yaml:5:26: variants.0.target.mesh.center: found an empty list, allowed a list of values"});
+    expect_findings(study_with("[outcome, {history: column, norm: max}]\ntolerance: {column_max: 2 %}", "[]"),
+                    {"folder/s.yaml:11:13: quantities: found an empty list, allowed a list"});
 }
 
 TEST(StudyFile, FaultsOfVariantsAreReportedBeforeAnythingIsComputedAtTheirPlacesInTheStudy) {

@@ -14,14 +14,14 @@ inline constexpr double smallest_stretch = 1e-40, largest_stretch = 1e40;
 /// What the cell pulls with: Kirchhoff resultants t_e tau per reference area in the bisector frame, N/m, and that frame.
 template <class Real>
 struct Response {
-    Real T_xx, T_yy, T_xy;
-    Real sin_theta, cos_theta;
+    Real T_xx, T_yy, T_xy;      ///< N/m
+    Real sin_theta, cos_theta;  ///< of half the angle between the yarns
 };
 
 /// Yarns at the end of a step, as far as the stress needs them.
 template <class Real>
 struct YarnForces {
-    Real cos_beta_f, cos_beta_w;  ///< of the bars' slopes
+    Real cos_beta_f, cos_beta_w;  ///< of the bars' slopes, 1
     Real crossover;               ///< force with which the yarns press on each other, N
 };
 
@@ -34,10 +34,10 @@ template <Features F, class Real>
     return state;
 }
 
-/// Lengths of the bars of a state, m.
+/// Lengths of the bars of a state.
 template <class Real>
 struct BarLengths {
-    Real fill, warp;
+    Real fill, warp;  ///< m
 };
 
 template <Features F, class Real>

@@ -21,11 +21,11 @@ template <class Real>
     return sqrt(a * a + h * h);
 }
 
-/// F_f - F_w up to a positive factor, and the Newton step (F_f - F_w)/d(F_f - F_w)/ddelta that it asks delta to give up, m.
+/// F_f - F_w up to a positive factor, and the Newton step (F_f - F_w)/d(F_f - F_w)/ddelta that it asks delta to give up.
 template <class Real>
 struct Imbalance {
-    Real force;
-    Real newton;
+    Real force;   ///< only its sign and its zero count: N (EndBalance, cleared of denominators) or Pa (MidBalance)
+    Real newton;  ///< m
 };
 
 /// Height of the crossover of a yarn whose partner is broken: nothing presses on it, so it lies where the yarn carries nothing, or as near

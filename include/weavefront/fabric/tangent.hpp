@@ -11,9 +11,10 @@ namespace weavefront::fabric {
 
 /// Second variation of the energy per reference area, N/m, in the changes of the yarn vectors.
 struct Tangent {
-    /// In the plane: of dg_f along and across the fill, of dg_w along and across the warp; across is a quarter turn from fill to warp on.
+    /// In the plane, N/m: of dg_f along and across the fill, of dg_w along and across the warp; across is a quarter turn from fill to warp
+    /// on.
     std::array<std::array<double, 4>, 4> plane{};
-    std::array<double, 3> normal{};  ///< out of the plane: {fill fill, fill warp, warp warp}
+    std::array<double, 3> normal{};  ///< out of the plane: {fill fill, fill warp, warp warp}, N/m
     double cosine = 0, sine = 1;     ///< of the angle psi from fill to warp
 };
 
@@ -24,6 +25,7 @@ struct Tangent {
 /// ln lambda adds y^2 - x^2, psi 2 (x_f y_f - x_w y_w), and out of the plane z the two give z^2 and cot psi (z_f^2 + z_w^2) -
 /// 2 z_f z_w/sin psi. Packing: dp_f = E (x_w + cot psi dpsi), dp_w = E (x_f + cot psi dpsi), dq = G dpsi; in the transition, what
 /// unpacks lets go p and q at a rate 1/(2 alpha Dtheta), which counts as a spring of that stiffness.
+/// @return per reference area, N/m
 template <Features F>
 [[nodiscard]] Tangent tangent_bound(const Constants& c, const State<double>& state) {
     const double yarn = c.instant_modulus * c.area / c.span * (0.5 * c.span * c.inverse_length);

@@ -32,10 +32,10 @@ template <class Real>
     return atan(Real(-trellis.cos_2theta / (1.0 + trellis.sin_2theta)));
 }
 
-/// Symmetric tensor in the plane, engineering shear where it is a strain.
+/// Symmetric tensor in the plane.
 template <class Real>
 struct PlaneTensor {
-    Real xx, yy, xy;
+    Real xx, yy, xy;  ///< 1 (a strain), Pa (a stress) or N/m (resultants)
 };
 
 /// Strain increment in the bisector frame, dE = sym((G^{n+1} - G^n) ((G^n + G^{n+1})/2)^-1), IT04 (8), of the yarn vectors
@@ -62,7 +62,7 @@ template <class Real>
 /// Lateral strain and engineering shear in a yarn's own axes, IT04 (9).
 template <class Real>
 struct LateralStrain {
-    Real eps_22, gamma_12;
+    Real eps_22, gamma_12;  ///< 1
 };
 
 /// `strain` rotated by +theta (fill, `sine` = sin theta) or -theta (warp, `sine` = -sin theta).
@@ -85,7 +85,7 @@ template <class Real>
 /// dtheta.
 template <class Real>
 struct Forces {
-    Real fill = 0.0, warp = 0.0, angle = 0.0;
+    Real fill = 0.0, warp = 0.0, angle = 0.0;  ///< N/m; angle per rad
 };
 
 /// Kirchhoff resultants in the bisector frame: n_f d_f d_f + n_w d_w d_w + m sin theta cos theta (y y - x x).

@@ -26,7 +26,7 @@ struct HistoryRow {
     double friction = 0;  ///< of yarns
     double damping = 0;
     double external = 0;
-    double eroded = 0;              ///< let go by broken yarns and eroded elements, in no other column
+    double eroded = 0;              ///< hourglass energy let go with broken yarns and eroded elements, in no other column
     double energy_error = 0;        ///< closure defect over the initial total energy
     std::int64_t broken_yarns = 0;  ///< element-directions
     std::int64_t eroded_elements = 0;

@@ -80,7 +80,8 @@ struct Study {
     Compute compute = Compute::impact;
     std::vector<Setting> set;  ///< of every variant
     std::vector<Axis> axes;
-    std::optional<std::size_t> order;  ///< axis along which the order of convergence is observed
+    std::optional<std::size_t> order;         ///< axis along which the order of convergence is observed
+    std::vector<std::string> order_findings;  ///< `order` names no axis: the fault is the axis' when that is no path of the scene
     Reference reference;
     std::vector<Measure> quantities;
     std::string text, name;  ///< of the file, for the sections that variants change
@@ -107,7 +108,7 @@ struct Vocabulary {
     std::vector<std::string> outcomes, columns, fields, closed_forms;
 };
 
-/// Reads a study.
+/// Reads a study. That `order` names no axis, and nothing else is wrong, is left to `parse_cases`.
 /// @param text of the file
 /// @param name of the file, for messages and as what paths in it are relative to
 /// @param vocabulary of each kind of computation
@@ -125,7 +126,7 @@ Variant reference_of(const Study& study, const Variant& variant);
 /// @throws InputError with every finding at once, those of a setting at its place in the study file
 Case parse_case(const Study& study, const std::string& scene_text, const Variant& variant);
 
-/// Reads the cases of all variants. @throws InputError with every finding in any of them, each once
+/// Reads the cases of all variants. @throws InputError with every finding in any of them, each once; without any, those of `order`
 std::vector<Case> parse_cases(const Study& study, const std::string& scene_text, const std::vector<Variant>& variants);
 
 }  // namespace weavefront::scene

@@ -44,9 +44,9 @@ struct Events {
     std::vector<std::int32_t> broken;    ///< local elements in which a yarn broke
 };
 
-/// Energies of one element, J.
+/// Energies of one element.
 struct ElementEnergy {
-    double work = 0, hourglass = 0, friction = 0;
+    double work = 0, hourglass = 0, friction = 0;  ///< J
 };
 
 /// What results show of one element.

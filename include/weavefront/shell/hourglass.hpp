@@ -7,15 +7,15 @@
 
 namespace weavefront::shell {
 
-/// Stiffness of the hourglass modes per unit of Quad::shape, N/m.
+/// Stiffness of the hourglass modes per unit of Quad::shape.
 ///
 /// A displacement q (xi eta) has the membrane energy C t_e q^2/2 int (d(xi eta)/dx)^2 and, out of the plane, the transverse shear energy
 /// G23 t_e q^2/2 int |grad(xi eta)|^2: the normals stay with the mean plane, so warping is all the transverse shear there is. Warping
 /// takes this in full (closed form), the in-plane modes a fraction `hourglass` of it with C t_e = E1 S/s. Warping is never resisted less
 /// than they are: without transverse shear it is an hourglass mode like the others.
 struct HourglassStiffness {
-    double in_plane = 0;
-    double warping = 0;  ///< >= in_plane
+    double in_plane = 0;  ///< N/m
+    double warping = 0;   ///< N/m, >= in_plane
 };
 
 template <class Real>

@@ -23,7 +23,7 @@ struct Balance {
     double friction = 0;   ///< of the yarns
     double damping = 0;
     double external = 0;      ///< done by supports: none of them moves
-    double eroded = 0;        ///< hourglass potential lost with broken yarns and eroded elements
+    double eroded = 0;        ///< hourglass energy let go with broken yarns and eroded elements
     double energy_error = 0;  ///< closure defect over the initial energy
     double turnover = 0;      ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
     double closure = 0;       ///< closure defect over the turnover: what a heavy projectile keeps cannot hide it

@@ -12,7 +12,7 @@ struct StripFrame {
     double time = 0;             ///< s
     std::vector<double> x, z;    ///< of the nodes on the line, by initial x, m
     std::vector<double> centre;  ///< initial x of the middle of the elements, ascending, m
-    std::vector<double> strain;  ///< of the yarns along the strip, mean over its width
+    std::vector<double> strain;  ///< of the yarns along the strip, mean over its width, one a centre, 1
 };
 
 /// What the waves do.
@@ -24,7 +24,7 @@ struct StripWaves {
 
 /// Measures over the last three quarters of the frames; the first is left to the strip under the face of the projectile.
 /// @param frames   at least four, of a strip whose waves have not reached its ends
-/// @param expected strain behind the front, roughly: tells where the front is
+/// @param expected strain behind the front, roughly, 1: tells where the front is
 /// @throws std::runtime_error where there is no wave to measure
 StripWaves measure_strip(std::span<const StripFrame> frames, double expected);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -28,7 +29,7 @@ study::Curve VariantResults::history(const std::string& column) const { return {
 std::optional<double> VariantResults::outcome(const std::string& name) const {
     if (name.starts_with("strip_")) return strip(name);
     if (history_.at("time").empty()) return std::nullopt;
-    if (name == "peak_displacement") return last("max_displacement");
+    if (name == "peak_displacement") return std::ranges::max(history_.at("max_displacement"));
     if (name == "absorbed_energy") return history_.at("kinetic_projectile").front() - last("kinetic_projectile");
     if (name == "residual_velocity") return variant_.scene.projectile ? std::optional(last("projectile_vz")) : std::nullopt;
     return last(name);

@@ -7,7 +7,7 @@ from .style import BLUE, BROWN, FAINT, GREEN, INK, ORANGE, PINK, PURPLE, RED, sa
 LEDGER = (("kinetic_projectile", "Kinetic, projectile", BLUE), ("kinetic_fabric", "Kinetic, fabric", ORANGE),
           ("internal", "Internal", GREEN), ("contact", "Contact", PURPLE), ("hourglass", "Hourglass", RED),
           ("friction", "Friction", BROWN), ("damping", "Damping", PINK), ("external", "External work", FAINT),
-          ("eroded", "Left with eroded elements", "#4d9a9a"))
+          ("eroded", "Hourglass, let go with broken\nyarns and eroded elements", "#4d9a9a"))
 FLOOR = 1e-3  # percent; smaller shares are not worth a decade of the picture
 
 
@@ -25,7 +25,7 @@ def draw_energies(run, path):
             share.semilogy(time, percent(values / initial), color=colour, lw=1.1)
     share.semilogy(time, percent(rows["energy_error"]), color=INK, lw=1.2)
     energy.plot([], [], color=INK, lw=1.2, label=f"Closure error,\nat most {100 * np.abs(rows['energy_error']).max():.2g} %")
-    if min(values.min() for values, _, _ in entries) >= 0:
+    if min((values.min() for values, _, _ in entries), default=0) >= 0:
         energy.set_ylim(bottom=0)
     energy.set_ylabel("Energy, J")
     share.set_ylabel("Share of the\ninitial energy, %")

@@ -1,4 +1,4 @@
-"""history: displacement and velocity of the projectile, and the broken yarns."""
+"""history: displacement of the projectile's nose, its velocity, and the broken yarns."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
@@ -24,13 +24,16 @@ def draw_history(run, path, measured=None):
     figure, axes = plt.subplots(3, 1, figsize=(5.2, 5.6), sharex=True, gridspec_kw={"height_ratios": [3, 3, 1.1], "hspace": 0.12})
     axes[0].plot(time, (rows["projectile_z"] - rows["projectile_z"][0]) * 1e3, color=BLUE, label="computed")
     axes[1].plot(time, rows["projectile_vz"], color=ORANGE, label="computed")
-    axes[0].set_ylabel("Displacement, mm")
-    axes[1].set_ylabel("Velocity, m/s")
+    axes[0].set_ylabel("Displacement\nof the nose, mm")
+    axes[1].set_ylabel("Velocity of the\nprojectile, m/s")
     for panel, name, factor in ((axes[0], "displacement", 1e3), (axes[1], "velocity", 1.0)):
         if measured is not None and name in measured:
             panel.plot(measured["time"] * 1e6, measured[name] * factor, "o", ms=4.2, mfc="white", mec=INK, mew=0.9, label="measured")
             panel.legend(loc="best")
-    mark_outcome(axes, time, rows)
+    if run.has_projectile:
+        mark_outcome(axes, time, rows)
+    else:
+        axes[0].text(0.5, 0.6, "no projectile", transform=axes[0].transAxes, ha="center", color=FAINT)
     if np.any(broken):
         axes[2].fill_between(time, broken, step="post", color=RED, alpha=0.25, lw=0)
         axes[2].step(time, broken, where="post", color=RED, lw=1.1)
@@ -48,7 +51,7 @@ def draw_history(run, path, measured=None):
 
 
 def mark_outcome(axes, time, rows):
-    """The largest displacement when the projectile turns back, else its last velocity."""
+    """The largest displacement of the nose when the projectile turns back, else its last velocity."""
     displacement, velocity = (rows["projectile_z"] - rows["projectile_z"][0]) * 1e3, rows["projectile_vz"]
     if velocity.min() < 0:
         axes[1].axhline(0, color=FAINT, lw=0.6, zorder=0)

@@ -39,9 +39,14 @@ class Run:
         match = re.search(r"^title:[ \t]*(.+)$", scene, re.MULTILINE)
         return match[1].strip().strip("\"'") if match else ""
 
+    @cached_property
+    def has_projectile(self):
+        """Whether something is shot: every projectile has mass and speed at the start."""
+        return self.history["kinetic_projectile"][0] > 0
+
     def velocity(self, time):
-        """The projectile's velocity along the shot in m/s, or None without a history."""
-        if not (self.folder / "history.csv").is_file():
+        """The projectile's velocity along the shot in m/s, or None without a history or a projectile."""
+        if not (self.folder / "history.csv").is_file() or not self.has_projectile:
             return None
         return float(np.interp(time, self.history["time"], self.history["projectile_vz"]))
 

@@ -1,5 +1,6 @@
 """study: error against cost of the variants of a study."""
 import json
+import re
 
 import matplotlib.pyplot as plt
 from matplotlib.ticker import LogFormatterSciNotation, LogLocator, NullFormatter
@@ -40,9 +41,20 @@ def errors_of(study, name):
     return {row["variant"]: max(row["errors"][name], FLOOR) for row in rows if row["errors"][name] is not None}
 
 
-def series_label(series):
+def value_label(axis, label):
+    """The value of an axis; a bare number says little without the last key of its path."""
+    try:
+        float(label.removesuffix("%"))
+    except ValueError:
+        return label.replace(" ", "\u2009")
+    name = re.search(r"[^.]*(\.\d+)?$", axis)[0]
+    return f"{name} {label}".replace(" ", "\u2009")
+
+
+def series_label(study, series):
     """What the variants of a series share, and the order that they show."""
-    shared = ", ".join(label.replace(" ", "\u2009") for label in series["labels"]) or "all"
+    axes = [axis["name"] for axis in study["axes"] if axis["name"] != study["order_along"]]
+    shared = ", ".join(map(value_label, axes, series["labels"])) or "all"
     return shared if series["order"] is None else f"{shared}: order {series['order']:.1f}"
 
 
@@ -65,7 +77,7 @@ def draw_panel(panel, study, quantity, label, key, costs):
         names = [name for name in series["variants"] if name in errors]
         line = "none" if study["order_along"] is None else "-"
         panel.plot([costs[name] for name in names], [errors[name] for name in names], color=COLOURS[i % len(COLOURS)], lw=1,
-                   ls=line, marker=MARKERS[i // len(COLOURS) % len(MARKERS)], ms=4, label=series_label(series))
+                   ls=line, marker=MARKERS[i // len(COLOURS) % len(MARKERS)], ms=4, label=series_label(study, series))
     draw_front(panel, study, quantity, key, costs, errors)
     panel.set_xscale("log")
     panel.set_yscale("log")

@@ -6,16 +6,32 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include "agreement.hpp"
 #include "weavefront/io/file_error.hpp"
 
 namespace weavefront::io {
 
+namespace {
+
+/// Whether somebody looks on. Open MPI gives every process a terminal of its own, whatever its launcher prints to: then that counts.
+bool on_terminal() {
+    if (::isatty(STDOUT_FILENO) != 1) return false;
+    if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr) return true;
+    std::error_code unknown;
+    const auto shown = std::filesystem::read_symlink("/proc/" + std::to_string(::getppid()) + "/fd/1", unknown).string();
+    return unknown || shown.starts_with("/dev/pts/") || shown.starts_with("/dev/tty");
+}
+
+}  // namespace
+
 class Log::Sinks {
   public:
     Sinks(const std::filesystem::path& directory, Terminal terminal)
-        : interactive_(terminal == Terminal::shown && ::isatty(STDOUT_FILENO) == 1), out_("out"), error_("error"), file_("run.log") {
+        : interactive_(terminal == Terminal::shown && on_terminal()), out_("out"), error_("error"), file_("run.log") {
         if (terminal == Terminal::shown) {
             out_.sinks().push_back(std::make_shared<spdlog::sinks::stdout_sink_mt>());
             error_.sinks().push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());

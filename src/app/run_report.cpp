@@ -69,6 +69,7 @@ io::HistoryRow row_of(const solver::Balance& b) {
     row.eroded_elements = b.eroded_elements;
     row.max_displacement = b.max_displacement;
     row.time_step = b.time_step;
+    row.back_face_deflection = b.back_face_deflection;
     return row;
 }
 
@@ -133,6 +134,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
         wall * 1e9 * comm_.size() / static_cast<double>(std::max<std::int64_t>(summary.element_steps, 1));
     if (scene_.projectile) summary.residual_velocity = last.projectile_velocity.z();
     summary.max_displacement = simulation.counts().max_displacement;
+    summary.back_face_deflection = simulation.counts().back_face_deflection;
     summary.energy_error = last.energy_error;
     summary.broken_yarns = last.broken_yarns;
     summary.eroded_elements = last.eroded_elements;
@@ -144,8 +146,8 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     log_.info(fmt::format("{} at t = {:.6g} us after {} steps: {}", stopped ? "Stopped" : "Finished", summary.time * 1e6, summary.steps,
                           summary.reason));
     if (summary.residual_velocity)
-        log_.info(fmt::format("  projectile    {:.2f} m/s along z, largest displacement {:.3f} mm", *summary.residual_velocity,
-                              summary.max_displacement * 1e3));
+        log_.info(fmt::format("  projectile    {:.2f} m/s along z; largest displacement {:.3f} mm, of the back face {:.3f} mm",
+                              *summary.residual_velocity, summary.max_displacement * 1e3, summary.back_face_deflection * 1e3));
     log_.info(
         fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded", last.broken_yarns, last.eroded_elements));
     log_.info(fmt::format("  energy        closes within {:.3g} % of the {:.4g} J handed over, hourglass {:.3g} J, contact {:.3g} J",

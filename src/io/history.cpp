@@ -48,7 +48,8 @@ std::vector<Column> columns(const HistoryRow& row) {
             {"broken_yarns", row.broken_yarns},
             {"eroded_elements", row.eroded_elements},
             {"max_displacement", row.max_displacement},
-            {"time_step", row.time_step}};
+            {"time_step", row.time_step},
+            {"back_face_deflection", row.back_face_deflection}};
 }
 
 std::string cell(const Column& column, double time) {

@@ -35,6 +35,7 @@ Json to_json(const Summary& summary) {
             {"nanoseconds_per_element_step", summary.nanoseconds_per_element_step},
             {"residual_velocity", to_json(summary.residual_velocity)},
             {"max_displacement", summary.max_displacement},
+            {"back_face_deflection", summary.back_face_deflection},
             {"energy_error", summary.energy_error},
             {"broken_yarns", summary.broken_yarns},
             {"eroded_elements", summary.eroded_elements},

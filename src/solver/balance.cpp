@@ -32,6 +32,20 @@ double Simulation::damping_work(std::size_t node, const Vec3& next, double backw
     return scene_.damping * model_.nodes.mass[node] * (last + next).dot(backward * last + forward * next) / 4;
 }
 
+double Simulation::back_face_deflection() const {
+    const auto& surface = model_.surface;
+    const auto last = static_cast<std::int32_t>(panel_.plies.size()) - 1;
+    double largest = 0;
+    for (auto f = static_cast<std::size_t>(surface.owned); f > 0 && surface.facets[f - 1].ply == last; --f) {
+        if (!surface.alive[f - 1]) continue;
+        for (const auto node : surface.facets[f - 1].nodes) {
+            const auto n = static_cast<std::size_t>(node);
+            largest = std::max(largest, model_.nodes.x[n].z() - model_.nodes.initial[n].z());
+        }
+    }
+    return largest;
+}
+
 Balance Simulation::balance() {
     const Timed timed(seconds_, Phase::ledger);
     const auto& nodes = model_.nodes;
@@ -86,6 +100,7 @@ Balance Simulation::balance() {
     balance.broken_yarns = multiplicity * sums[broken];
     balance.eroded_elements = multiplicity * sums[eroded_count];
     balance.max_displacement = comm_.max(highest);
+    balance.back_face_deflection = comm_.max(back_face_deflection());
     if (model_.projectile) {
         const auto& p = *model_.projectile;
         const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
@@ -104,6 +119,7 @@ Balance Simulation::balance() {
     counts_.largest_closure = std::max(counts_.largest_closure, std::abs(balance.closure));
     counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, balance.contact);
     counts_.max_displacement = std::max(counts_.max_displacement, balance.max_displacement);
+    counts_.back_face_deflection = std::max(counts_.back_face_deflection, balance.back_face_deflection);
     return balance;
 }
 

@@ -14,7 +14,7 @@ namespace {
 const char* const header =
     "time,projectile_x,projectile_y,projectile_z,projectile_vx,projectile_vy,projectile_vz,contact_fx,contact_fy,contact_fz,kinetic_fabric,"
     "kinetic_projectile,internal,hourglass,contact,friction,damping,external,eroded,energy_error,broken_yarns,eroded_elements,"
-    "max_displacement,time_step";
+    "max_displacement,time_step,back_face_deflection";
 
 // Every column has a value of its own, so an exchange of two shows.
 HistoryRow numbered_row() {
@@ -35,10 +35,11 @@ HistoryRow numbered_row() {
             .broken_yarns = 9007199254740993,  // not a double
             .eroded_elements = 22,
             .max_displacement = 23,
-            .time_step = 24};
+            .time_step = 24,
+            .back_face_deflection = 25};
 }
 
-const char* const numbered_line = "0.10000000000000001,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,9007199254740993,22,23,24";
+const char* const numbered_line = "0.10000000000000001,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,9007199254740993,22,23,24,25";
 
 TEST(History, HoldsTheColumnsInTheirOrderAtFullPrecision) {
     const parallel::Communicator comm(MPI_COMM_WORLD);

@@ -27,6 +27,7 @@ Summary sample() {
             .nanoseconds_per_element_step = 250.5,
             .residual_velocity = -12.25,
             .max_displacement = 0.0141,
+            .back_face_deflection = 0.0139,
             .energy_error = 1e-4,
             .broken_yarns = 7,
             .eroded_elements = 8,
@@ -43,8 +44,8 @@ TEST(Summary, HoldsEveryKey) {
         "status": "stopped", "reason": "energy \"error\"", "versions": {"weavefront": "1.2.3"}, "scene_hash": "0123456789abcdef",
         "title": "Tïtle", "ranks": 2, "elements": 3, "nodes": 4, "steps": 5, "time": 0.1,
         "wall_seconds": {"elements": {"min": 1.0, "mean": 2.0, "max": 3.0}}, "element_steps": 15,
-        "nanoseconds_per_element_step": 250.5, "residual_velocity": -12.25, "max_displacement": 0.0141, "energy_error": 1e-4,
-        "broken_yarns": 7, "eroded_elements": 8, "first_break": [2.5e-5, null], "left_out": ["friction"]})");
+        "nanoseconds_per_element_step": 250.5, "residual_velocity": -12.25, "max_displacement": 0.0141,
+        "back_face_deflection": 0.0139, "energy_error": 1e-4, "broken_yarns": 7, "eroded_elements": 8, "first_break": [2.5e-5, null], "left_out": ["friction"]})");
     EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json")), expected);
     EXPECT_FALSE(std::filesystem::exists(directory / "summary.json.new"));
 }

@@ -30,8 +30,9 @@ struct HistoryRow {
     double energy_error = 0;        ///< closure defect over the initial total energy
     std::int64_t broken_yarns = 0;  ///< element-directions
     std::int64_t eroded_elements = 0;
-    double max_displacement = 0;  ///< largest nodal displacement along z, m
-    double time_step = 0;         ///< s
+    double max_displacement = 0;      ///< largest nodal displacement along z, m
+    double time_step = 0;             ///< s
+    double back_face_deflection = 0;  ///< largest displacement along z of the last ply where it is not eroded, m
 };
 
 /// The global topology of the results in canonical order, of which each rank passes the part it owns. Every node and every element is

@@ -38,6 +38,7 @@ struct Summary {
     double nanoseconds_per_element_step = 0;
     std::optional<double> residual_velocity;         ///< m/s; null without a projectile
     double max_displacement = 0;                     ///< m
+    double back_face_deflection = 0;                 ///< m
     double energy_error = 0;                         ///< 1
     std::int64_t broken_yarns = 0;                   ///< element-directions, whole target
     std::int64_t eroded_elements = 0;                ///< whole target

@@ -28,8 +28,9 @@ struct Balance {
     double turnover = 0;      ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
     double closure = 0;       ///< closure defect over the turnover: what a heavy projectile keeps cannot hide it
     std::int64_t broken_yarns = 0, eroded_elements = 0;
-    double max_displacement = 0;  ///< along z, m
-    double time_step = 0;         ///< s
+    double max_displacement = 0;      ///< of a node along z, in free flight or not, m
+    double back_face_deflection = 0;  ///< of the last ply along z where it is not eroded, the largest, m
+    double time_step = 0;             ///< s
 
     /// What must stay constant, J.
     [[nodiscard]] double total() const {

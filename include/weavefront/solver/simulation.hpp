@@ -19,12 +19,12 @@ namespace weavefront::solver {
 /// What is counted on the way, of this rank's elements, not multiplied by symmetry.
 struct Counts {
     std::int64_t broken_yarns = 0, eroded_elements = 0;
-    std::vector<double> first_break;   ///< by ply, s; largest double: none
-    std::int64_t searches = 0;         ///< how often what may meet was looked for, the first time included
-    std::int64_t inverted = 0;         ///< elements found turned over, at the checks
-    double max_displacement = 0;       ///< largest of the rows, m
-    double lowest_contact_energy = 0;  ///< J, over the rows: below zero contact gave energy
-    double largest_closure = 0;        ///< of the rows, see Balance
+    std::vector<double> first_break;                        ///< by ply, s; largest double: none
+    std::int64_t searches = 0;                              ///< how often what may meet was looked for, the first time included
+    std::int64_t inverted = 0;                              ///< elements found turned over, at the checks
+    double max_displacement = 0, back_face_deflection = 0;  ///< largest of the rows, m
+    double lowest_contact_energy = 0;                       ///< J, over the rows: below zero contact gave energy
+    double largest_closure = 0;                             ///< of the rows, see Balance
 };
 
 /// Distance from a rank's own facets up to which those of others become its ghosts, m; 0: plies are not in contact with each other.
@@ -83,6 +83,7 @@ class Simulation {
         return step * (model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node]);
     }
     [[nodiscard]] Vec3 next_velocity(std::size_t node) const;
+    [[nodiscard]] double back_face_deflection() const;
     [[nodiscard]] double damping_work(std::size_t node, const Vec3& next, double backward, double forward) const;
 
     scene::Scene scene_;

@@ -8,26 +8,18 @@ namespace weavefront::contact {
 namespace {
 
 VelocityBox box_around(std::span<const std::int32_t> nodes, std::span<const Vec3> v) {
-    using Plane = Eigen::Array2d;
-    const auto& first = v[static_cast<std::size_t>(nodes[0])];
-    Plane low = first.head<2>(), high = low;
-    double low_z = first.z(), high_z = low_z;
-    for (const auto node : nodes) {
-        const auto& of_node = v[static_cast<std::size_t>(node)];
-        const Plane plane = of_node.head<2>();
-        low = low.min(plane);
-        high = high.max(plane);
-        low_z = of_node.z() < low_z ? of_node.z() : low_z;
-        high_z = of_node.z() > high_z ? of_node.z() : high_z;
-    }
-    return {{low.x(), low.y(), low_z, 0}, {-high.x(), -high.y(), -high_z, 0}};
+    // Two by turns: comparisons that need not wait for each other.
+    VelocityBox box(v, nodes.front()), other(v, nodes.back());
+    for (std::size_t k = 1; k + 1 < nodes.size(); k += 2) box.add(v, nodes[k]), other.add(v, nodes[k + 1]);
+    box.add(other);
+    return box;
 }
 
 }  // namespace
 
 Approach::Approach(const Surface& surface, std::span<const Vec3> x) {
     groups_.group(surface, x, 0, surface.owned);
-    so_far_.assign(static_cast<std::size_t>(groups_.count()), 0);
+    so_far_.assign(static_cast<std::size_t>(groups_.count()), {});
 }
 
 void Approach::rebuild(const Surface& surface, const Candidates& candidates, std::span<const Vec3> x) {
@@ -55,13 +47,12 @@ void Approach::advance(std::span<const Vec3> v, double dt) {
         boxes_[static_cast<std::size_t>(g)] = box_around(groups_.nodes(g), v);
     }
     for (std::size_t g = 0; g < so_far_.size(); ++g) {
-        const auto& own = boxes_[g];
         double fastest = 0;
-        for (auto k = first_[g]; k < first_[g + 1]; ++k) {
-            const auto& other = boxes_[static_cast<std::size_t>(meeting_[static_cast<std::size_t>(k)])];
-            fastest = std::max(fastest, (own.low + other.opposite).min(other.low + own.opposite).matrix().squaredNorm());
-        }
-        so_far_[g] += dt * std::sqrt(fastest);
+        for (auto k = first_[g]; k < first_[g + 1]; ++k)
+            fastest =
+                std::max(fastest, boxes_[g].squared_difference(boxes_[static_cast<std::size_t>(meeting_[static_cast<std::size_t>(k)])]));
+        so_far_[g].last = dt * std::sqrt(fastest);
+        so_far_[g].sum += so_far_[g].last;
     }
 }
 

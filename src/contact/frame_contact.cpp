@@ -23,9 +23,11 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
             forget_points(memories_, index);
             continue;
         }
-        RigidPair pair{facet, surface.areas[f], quadrature_.rule(rules_[f]), laws_[static_cast<std::size_t>(facet.ply)], Master::frame};
-        if (!quadrature_.at_nodes()) pair.normals = normals.of(facet, surface, x);
-        const auto force = press(pair, x, v, dt, memories_.take(index), [&](const Vec3& at, const Point&) { return shape.depth(at); });
+        const RigidPair pair{facet, surface.areas[f], quadrature_.rule(rules_[f]), laws_[static_cast<std::size_t>(facet.ply)],
+                             Master::frame};
+        const auto of_ply = [&] { return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x); };
+        const auto depth = [&](const Vec3& at, const Point&) { return shape.depth(at); };
+        const auto force = press(pair, x, v, dt, memories_.take(index), depth, of_ply);
         if (force.total != Vec3::Zero()) forces.push_back(force);
     }
 }

@@ -13,25 +13,44 @@ namespace {
 // above what rounding makes of a line.
 constexpr double rounding = 1e-4;
 
+// Of the touching distance. Candidates farther away are left out of a shortlist, which then holds until they may have come near.
+constexpr double near_in_touching = 0.2;
+
 }  // namespace
 
-double room_around(std::int32_t ply, const Viewpoints& points, std::int32_t nearest, const FacetRuns& candidates, const Surface& surface,
-                   const Touching& touching, std::span<const Vec3> x, double enough) {
-    double room = touching.depth() - touching.most();  // facets that are no candidates lie at least this deep
-    const auto make_room = [&](std::int32_t candidate) {
+double room_around(const Outlook& outlook, std::int32_t nearest, Shortlist& shortlist, double so_far, double enough) {
+    const auto& [ply, points, candidates, surface, touching, x] = outlook;
+    const double beyond = touching.depth() - touching.most();  // facets that are no candidates lie at least this deep
+    const double near = near_in_touching * touching.most();
+    const bool listed = so_far < shortlist.until;
+    double room = listed ? shortlist.until - so_far : beyond, unlisted = beyond;
+    std::uint32_t places = 0;
+    // By how much something may approach until the facet may touch the box around a candidate.
+    const auto look_at = [&](std::int32_t candidate) {
         const auto& other = surface.facets[static_cast<std::size_t>(candidate)];
-        if (!surface.alive[static_cast<std::size_t>(candidate)]) return;
-        const double reach = (1 + rounding) * touching.between(ply, other.ply);
-        room = std::min(room, points.distance_to(corners_of(other.nodes, x), room + reach) - reach);
-        if (room < enough) room = 0;
+        const auto corners = corners_of(other.nodes, x);
+        const double reach = (1 + rounding) * touching.between(ply, other.ply), apart = points.distance_to(Box::around(corners)) - reach;
+        if (apart < room) room = std::min(room, std::max(apart, points.distance_to(corners) - reach));
+        return apart;
     };
-    if (nearest >= 0) make_room(nearest);  // the others most often lie beyond the room that this one leaves
-    for (const auto candidate : candidates)
-        if (room > 0 && candidate != nearest) make_room(candidate);
+    if (nearest >= 0 && surface.alive[static_cast<std::size_t>(nearest)]) look_at(nearest);  // mostly it leaves the least room
+    auto candidate = candidates.begin();
+    for (std::size_t place = 0; candidate != candidates.end() && room >= enough; ++candidate, ++place) {
+        if (listed && !shortlist.holds(place)) continue;
+        if (!surface.alive[static_cast<std::size_t>(*candidate)]) continue;
+        const double apart = *candidate == nearest ? 0 : look_at(*candidate);
+        if (apart < near && place < Shortlist::longest)
+            places |= std::uint32_t{1} << place;
+        else
+            unlisted = std::min(unlisted, std::max(apart, 0.0));
+    }
+    if (room < enough) return 0;
+    if (!listed) shortlist = {not_above(so_far + unlisted), places};
     return room;
 }
 
-Nearest find_nearest(std::int32_t ply, const Vec3& centre, const FacetRuns& candidates, const Surface& surface, std::span<const Vec3> x) {
+Nearest find_nearest(const Outlook& outlook, const Vec3& centre) {
+    const auto& [ply, points, candidates, surface, touching, x] = outlook;
     if (candidates.empty() || surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1) return {};
     Nearest found;
     double nearest = std::numeric_limits<double>::max(), second = nearest;

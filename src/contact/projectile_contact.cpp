@@ -47,15 +47,15 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
             forget_points(memories_, f);
             continue;
         }
-        RigidPair pair{facet,
-                       surface.areas[index],
-                       quadrature_.rule(rules_[index]),
-                       laws_[static_cast<std::size_t>(facet.ply)],
-                       Master::projectile,
-                       projectile.velocity};
-        if (!quadrature_.at_nodes()) pair.normals = normals.of(facet, surface, x);
-        const auto force = press(pair, x, v, dt, memories_.take(f),
-                                 [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); });
+        const RigidPair pair{facet,
+                             surface.areas[index],
+                             quadrature_.rule(rules_[index]),
+                             laws_[static_cast<std::size_t>(facet.ply)],
+                             Master::projectile,
+                             projectile.velocity};
+        const auto depth = [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); };
+        const auto of_ply = [&] { return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x); };
+        const auto force = press(pair, x, v, dt, memories_.take(f), depth, of_ply);
         if (force.total != Vec3::Zero()) forces.push_back(force);
     }
 }

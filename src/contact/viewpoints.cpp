@@ -24,13 +24,11 @@ Viewpoints::Viewpoints(const QuadratureRule& rule, const std::array<Vec3, 4>& co
 // hardly varies: on the facet itself by |n.t3| (|E1.t3|/q + |E2.t3|/q + |E1.t3||E2.t3|/q^2) at the most. A point where |F| is larger by D
 // is at least D over the largest gradient of F away; its square is q (1 + s^2), s^2 <= 2 (n.t3)^2 (a^2 |t1|^2 + b^2 |t2|^2)/q^2, with the
 // larger of |a| and |b| at the two ends.
-double Viewpoints::distance_to(const std::array<Vec3, 4>& c, double enough) const {
-    const double between_boxes = box_.gap_to(Box::around(c));
-    if (between_boxes >= enough) return between_boxes;
+double Viewpoints::distance_to(const std::array<Vec3, 4>& c) const {
     const Vec3 middle = (c[0] + c[1] + c[2] + c[3]) / 4, t1 = (c[1] + c[2] - c[0] - c[3]) / 4, t2 = (c[2] + c[3] - c[0] - c[1]) / 4,
                t3 = (c[0] + c[2] - c[1] - c[3]) / 4, n = t1.cross(t2), E1 = t2.cross(n), E2 = n.cross(t1);
     const double q = n.squaredNorm(), square1 = t1.squaredNorm(), square2 = t2.squaredNorm();
-    if (!(q > 0)) return std::max(between_boxes, 0.0);
+    if (!(q > 0)) return distance_to(Box::around(c));
     const double inverse = 1 / q, inverse1 = 1 / square1, inverse2 = 1 / square2;
     const double twist = n.dot(t3), warp = std::abs(twist), skew1 = std::abs(E1.dot(t3)) * inverse, skew2 = std::abs(E2.dot(t3)) * inverse;
     const double uneven = warp * (skew1 + skew2 + skew1 * skew2), steep = 2 * warp * warp * inverse * inverse;
@@ -49,7 +47,7 @@ double Viewpoints::distance_to(const std::array<Vec3, 4>& c, double enough) cons
             const double square = largest(above * above * inverse + beside, level * level * inverse * gentle);
             squares[i] = square < squares[i] ? square : squares[i];
         }
-    return std::max(between_boxes, std::sqrt(Eigen::Map<const Eigen::Array<double, batch_width, 1>>(squares.of).minCoeff()));
+    return std::sqrt(Eigen::Map<const Eigen::Array<double, batch_width, 1>>(squares.of).minCoeff());
 }
 
 }  // namespace weavefront::contact

@@ -39,21 +39,30 @@ class FeatureGroup final : public ElementGroup {
         });
     }
 
-    [[nodiscard]] Condition condition(std::span<const Eigen::Vector3d> x) const override {
-        Condition condition;
+    [[nodiscard]] double frequency_squared() const override {
+        double highest = 0;
         for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
             auto quad = quads_.pack_from(at);
             const auto state = load(pack, quad);
             const auto alive = quad.area > 0.0;
             const Pack rough =
                 critical_frequency_squared(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
-            if (fabric::any(alive & (rough > condition.omega_squared))) raise(condition.omega_squared, pack, alive, rough);
-            const auto inverted = alive & is_inverted(gather(pack, x));
-            if (fabric::any(inverted))
-                for (int lane = 0; lane < pack_width && pack * pack_width + lane < size(); ++lane)
-                    if (inverted.get(lane)) condition.inverted.push_back(element(pack * pack_width + lane));
+            if (fabric::any(alive & (rough > highest))) raise(highest, pack, alive, rough);
         });
-        return condition;
+        return highest;
+    }
+
+    [[nodiscard]] std::int64_t inverted(std::span<const Eigen::Vector3d> x) const override {
+        std::int64_t count = 0;
+        for (std::int32_t pack = 0; pack < packs_; ++pack) {
+            const auto folded = is_inverted(gather(pack, x));
+            if (!fabric::any(folded)) continue;
+            for (int lane = 0; lane < pack_width; ++lane) {
+                const auto index = pack * pack_width + lane;
+                count += index < size() && folded.get(lane) && alive(index) ? 1 : 0;
+            }
+        }
+        return count;
     }
 
     [[nodiscard]] ElementEnergy energy(std::int32_t index) const override {

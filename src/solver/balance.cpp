@@ -40,7 +40,7 @@ double Simulation::back_face_deflection() const {
         if (!surface.alive[f - 1]) continue;
         for (const auto node : surface.facets[f - 1].nodes) {
             const auto n = static_cast<std::size_t>(node);
-            largest = std::max(largest, model_.nodes.x[n].z() - model_.nodes.initial[n].z());
+            largest = std::max(largest, model_.nodes.x[n].z() - model_.nodes.initial.height(n));
         }
     }
     return largest;
@@ -65,7 +65,7 @@ Balance Simulation::balance() {
         const Vec3 acceleration = (next - nodes.v[n]) / step;
         add(kinetic, nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
         if (scene_.damping > 0) add(damping, damping_work(n, next, last_dt_, 0));
-        highest = std::max(highest, std::abs(nodes.x[n].z() - nodes.initial[n].z()));
+        highest = std::max(highest, std::abs(nodes.x[n].z() - nodes.initial.height(n)));
     }
     for (const auto& group : model_.groups)
         for (std::int32_t i = 0; i < group->size(); ++i) {

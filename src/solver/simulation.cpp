@@ -20,8 +20,11 @@ constexpr std::int32_t packs_at_once = 64;
 // The time step follows its bound every so many steps; in between the bound changes by far less than the safety factor leaves.
 constexpr std::int64_t steps_between_checks = 5;
 
+// Elements that are folded over themselves are counted every so many steps: they stay so for long, and nothing but a warning depends on it.
+constexpr std::int64_t steps_between_counts = 100;
+
 // Lists of what may meet hold what comes within this many edges of the smallest element: short lists against few renewals.
-constexpr double skin_in_edges = 1;
+constexpr double skin_in_edges = 0.75;
 
 // A time step not more than this factor below its bound is kept: a change costs new relaxation coefficients.
 constexpr double worth_raising = 1.05;
@@ -101,6 +104,7 @@ void Simulation::advance_forces() {
     sum_over_ranks();
     hold_supports();
     if (steps_ % steps_between_checks == 0) adapt_time_step();
+    if (steps_ % steps_between_counts == 0) count_inverted();
 }
 
 void Simulation::integrate() {
@@ -218,17 +222,20 @@ Vec3 Simulation::whole_force(const FixedVector& on_part) const {
 void Simulation::adapt_time_step() {
     const Timed timed(seconds_, Phase::elements);
     double omega_squared = 0;
-    for (const auto& group : model_.groups) {
-        const auto condition = group->condition(model_.nodes.x);
-        omega_squared = std::max(omega_squared, condition.omega_squared);
-        counts_.inverted = std::max(counts_.inverted, static_cast<std::int64_t>(condition.inverted.size()));
-    }
+    for (const auto& group : model_.groups) omega_squared = std::max(omega_squared, group->frequency_squared());
     omega_squared = comm_.max(omega_squared) + contact_frequency_squared_;
     const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);
     if (!(bound > 0)) throw GuardStop(fmt::format("the time step vanished at t = {:.6g} us, step {}", time_ * 1e6, steps_));
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
     dt_ = bound;
     for (const auto& group : model_.groups) group->set_time_step(dt_);
+}
+
+void Simulation::count_inverted() {
+    const Timed timed(seconds_, Phase::elements);
+    std::int64_t inverted = 0;
+    for (const auto& group : model_.groups) inverted += group->inverted(model_.nodes.x);
+    counts_.inverted = std::max(counts_.inverted, inverted);
 }
 
 void Simulation::list_supports() {
@@ -241,12 +248,6 @@ void Simulation::hold_supports() {
     for (const auto n : held_)
         for (std::size_t d = 0; d < 3; ++d)
             if (model_.nodes.supports[n] & (1U << d)) model_.nodes.force[n][d] = 0;
-}
-
-Vec3 Simulation::next_velocity(std::size_t node) const {
-    const double step = (last_dt_ + dt_) / 2, drag = scene_.damping * step / 2;
-    if (drag == 0) return model_.nodes.v[node] + push(node, step);
-    return ((1 - drag) * model_.nodes.v[node] + push(node, step)) / (1 + drag);
 }
 
 void Simulation::move_nodes() {

@@ -48,7 +48,7 @@ void TextbookStep::advance_elements() {
 
 void TextbookStep::adapt_time_step() {
     double omega_squared = 0;
-    for (const auto& group : model_.groups) omega_squared = std::max(omega_squared, group->condition(model_.nodes.x).omega_squared);
+    for (const auto& group : model_.groups) omega_squared = std::max(omega_squared, group->frequency_squared());
     const double bound = safety_ * 2 / std::sqrt(omega_squared);
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
     dt_ = bound;

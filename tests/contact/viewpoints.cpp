@@ -36,7 +36,7 @@ double distance(const Corners& one, const Corners& other) {
     contact::Quadrature quadrature(2.0 / points);
     const Corners square{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(0, 2, 0)};
     const auto rule = quadrature.rule_for(square);
-    return contact::Viewpoints(quadrature.rule(rule), one, quadrature.spanned(rule, one)).distance_to(other, 1e300);
+    return contact::Viewpoints(quadrature.rule(rule), one, quadrature.spanned(rule, one)).distance_to(other);
 }
 
 TEST(Viewpoints, GiveABoundFromBelow) {

@@ -55,7 +55,7 @@ Frequencies frequencies(const scene::Fabric& fabric, const Mesh& mesh, double an
         for (std::size_t i = 0; i < unknowns; ++i) K[i][j] = (f_behind[i / 3] - f_ahead[i / 3])[static_cast<Eigen::Index>(i % 3)] / (2 * h);
     }
     const double nodal_mass = fabric.areal_density * shell::make_quad(corners_of(mesh, 0, mesh.X), angle).area / 4;
-    return {elements.group->condition(x).omega_squared, largest_eigenvalue(K) / nodal_mass};
+    return {elements.group->frequency_squared(), largest_eigenvalue(K) / nodal_mass};
 }
 
 Mesh square() {

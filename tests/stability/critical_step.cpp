@@ -65,8 +65,7 @@ class State {
 
     static double membrane(const solver::Simulation& simulation) {
         double largest = 0;
-        for (const auto& group : simulation.model().groups)
-            largest = std::max(largest, group->condition(simulation.model().nodes.x).omega_squared);
+        for (const auto& group : simulation.model().groups) largest = std::max(largest, group->frequency_squared());
         return largest;
     }
 

@@ -32,6 +32,12 @@ struct VectorLanes {
     Lanes x, y, z;
 };
 
+/// Value of a facet's corners at one point of a batch: the bits of `interpolate`.
+/// @param N shape functions, [corner]
+inline Vec3 at_point(const std::array<Vec3, 4>& corners, const std::array<Lanes, 4>& N, std::size_t i) {
+    return N[0][i] * corners[0] + N[1][i] * corners[1] + N[2][i] * corners[2] + N[3][i] * corners[3];
+}
+
 /// Values of a facet's corners at the points of a batch.
 /// @param N shape functions, [corner]
 inline VectorLanes interpolate(const std::array<Vec3, 4>& corners, const std::array<Lanes, 4>& N) {

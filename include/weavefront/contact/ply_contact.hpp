@@ -12,6 +12,7 @@
 #include "weavefront/contact/facet_lines.hpp"
 #include "weavefront/contact/near_facets.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
+#include "weavefront/contact/outlook.hpp"
 #include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/point_memory.hpp"
 #include "weavefront/contact/quadrature.hpp"
@@ -48,13 +49,20 @@ class PlyContact {
     std::span<const double> restore(std::int32_t facet, std::span<const double> record);
 
   private:
+    /// What a facet waits for while it touches nothing.
+    enum class Waits : std::uint8_t {
+        not_at_all,  ///< it may touch something
+        for_group,   ///< for the approach of all candidates of its group
+        for_own,     ///< for that of its own near candidates, which is much less and costs more to know
+    };
     /// What a facet knows of its candidates. There is one for every element of a rank.
     struct [[gnu::packed]] Watch {
-        float until = 0;          ///< as bounded by Approach, m: so long it holds, and not longer than it does
-        std::int32_t first = -1;  ///< the nearest candidate, or -1: not known; where the facet is clear, the one that was
-        bool clear = false;       ///< the facet touches nothing
+        float until = 0;          ///< approach of the group up to which it holds, m; where it waits for its own, what is left to these
+        std::int32_t first = -1;  ///< the nearest candidate, or -1: not known; where the facet waits, the one that was
+        Shortlist near;           ///< of the candidates
+        Waits waits = Waits::not_at_all;
     };
-    static_assert(sizeof(Watch) == 9);
+    static_assert(sizeof(Watch) == 17);
     /// Where and when.
     struct Now {
         const Surface& surface;
@@ -73,7 +81,11 @@ class PlyContact {
         return std::span(watches_).subspan(approach_.before(group), approach_.facets(group).size());
     }
     void evaluate_group(std::int32_t group, const Now& now, std::vector<PairForce>& forces);
-    void look_around(std::int32_t facet, Watch& watch, double so_far, const Now& now);
+    /// By how much a facet and its near candidates may have approached over the last step, m.
+    [[nodiscard]] double own_approach(std::int32_t facet, const Shortlist& near, const Now& now) const;
+    /// Whether what a facet knows no longer holds.
+    [[nodiscard]] bool is_over(Watch& watch, std::int32_t facet, double so_far, const Now& now) const;
+    void look_around(std::int32_t facet, Watch& watch, std::int32_t group, const Now& now);
     void evaluate_facet(std::int32_t facet, std::int32_t first, const Now& now, std::vector<PairForce>& forces);
     void press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near, LaneMask& open,
                const Now& now, std::vector<PairForce>& forces);

@@ -2,6 +2,7 @@
 /// @file
 /// Pressure of a rigid body on one facet.
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -23,9 +24,10 @@ struct RigidPair {
     const PenaltyLaw& law;
     Master body;
     Vec3 body_velocity{0, 0, 0};  ///< m/s
-    /// Of the ply at the corners, of any length; none: the body pushes along its own normal, as in node-to-surface contact.
-    std::optional<std::array<Vec3, 4>> normals = {};
 };
+
+/// Normals of a ply at the corners of a facet, of any length; none: the body pushes along its own normal, as in node-to-surface contact.
+using PlyNormals = std::optional<std::array<Vec3, 4>>;
 
 /// Direction in which a body without friction pushes a point of a ply: along the normal of the ply, so that it does not pull on the yarns.
 /// The normal of the body does where the two differ, as they do over an edge that presses into the ply: tensions would then not be handed
@@ -68,17 +70,18 @@ inline mesh::Repeated<std::int32_t> rules_for(Quadrature& quadrature, const Surf
 /// @param x, v    positions and velocities of the nodes, m, m/s
 /// @param dt      the last step, s
 /// @param depth   function of a position and of the memory of the point: its depth in the body, or nothing
-template <class Point, class DepthOf>
+/// @param normals function that gives the PlyNormals of the facet, called when the first point is in the body
+template <class Point, class DepthOf, class NormalsOf>
 PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt, RigidMemory<Point>& memory,
-                DepthOf depth) {
+                DepthOf depth, NormalsOf normals) {
     auto& points = memory.points;
     if (points.empty()) points.resize(pair.rule.size() * batch_width);
     const auto corners = corners_of(pair.facet.nodes, x), velocities = corners_of(pair.facet.nodes, v);
     PairForce sum(pair.facet.nodes, pair.body);
+    std::optional<PlyNormals> of_ply;
     for (std::size_t b = 0; b < pair.rule.size(); ++b) {
         const auto& batch = pair.rule[b];
-        const auto position = interpolate(corners, batch.N), velocity = interpolate(velocities, batch.N);
-        const auto normal = pair.normals ? interpolate(*pair.normals, batch.N) : VectorLanes{};
+        const auto position = interpolate(corners, batch.N);
         for (std::size_t i = 0; i < batch.count; ++i) {
             auto& point = points[b * batch_width + i];
             const std::optional<Depth> found = depth(Vec3(position.x[i], position.y[i], position.z[i]), point);
@@ -86,9 +89,9 @@ PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const 
                 point.penetration = {};
                 continue;
             }
-            const Vec3 direction =
-                pair.normals ? push_direction(Vec3(normal.x[i], normal.y[i], normal.z[i]), found->normal) : found->normal;
-            const double closing = (pair.body_velocity - Vec3(velocity.x[i], velocity.y[i], velocity.z[i])).dot(direction);
+            if (!of_ply) of_ply = normals();
+            const Vec3 direction = *of_ply ? push_direction(at_point(**of_ply, batch.N, i), found->normal) : found->normal;
+            const double closing = (pair.body_velocity - at_point(velocities, batch.N, i)).dot(direction);
             const double pressure = pair.law.advance(point.penetration, found->depth, closing, dt, batch.share[i], memory.reserve);
             sum.add(pressure * pair.area * batch.share[i] * direction, batch.N, i);
         }

@@ -3,6 +3,7 @@
 /// How far the points of a facet are from others at least.
 
 #include <array>
+#include <cmath>
 
 #include "weavefront/contact/facet_lines.hpp"
 #include "weavefront/contact/quadrature.hpp"
@@ -16,10 +17,11 @@ class Viewpoints {
     /// @param corners, spanned those of the facet and of the part that its points span, m
     Viewpoints(const QuadratureRule& rule, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned);
 
-    /// A bound from below of the distance of any of the points to another facet, m; 0 where none was found.
-    /// @param corners of the other, m
-    /// @param enough  a bound as large as this may be returned without looking for a larger one, m
-    [[nodiscard]] double distance_to(const std::array<Vec3, 4>& corners, double enough) const;
+    /// A bound from below of the distance of any of the points to a box, m; 0 where none was found.
+    [[nodiscard]] double distance_to(const Box& box) const { return std::sqrt(box_.squared_distance_to(box)); }
+
+    /// The same to another facet: closer than to the box around it, and dearer. @param corners of the other, m
+    [[nodiscard]] double distance_to(const std::array<Vec3, 4>& corners) const;
 
   private:
     std::size_t batches_;

@@ -21,6 +21,7 @@ class FixedPoint {
         int exponent = 0;
         std::frexp(largest, &exponent);  // largest <= 2^exponent
         scale_ = std::ldexp(1.0, 62 - 8 - 10 - exponent);
+        quantum_ = 1 / scale_;
     }
 
     /// A term times the scale stays below this.
@@ -32,15 +33,15 @@ class FixedPoint {
     /// Nearest integer of the scaled value. @pre fits(value)
     [[nodiscard]] std::int64_t from(double value) const { return std::llrint(value * scale_); }
 
-    [[nodiscard]] double to(std::int64_t sum) const { return static_cast<double>(sum) / scale_; }
+    [[nodiscard]] double to(std::int64_t sum) const { return static_cast<double>(sum) * quantum_; }
 
     [[nodiscard]] double scale() const { return scale_; }
 
     /// The smallest difference that is represented.
-    [[nodiscard]] double quantum() const { return 1 / scale_; }
+    [[nodiscard]] double quantum() const { return quantum_; }
 
   private:
-    double scale_ = 1;
+    double scale_ = 1, quantum_ = 1;
 };
 
 }  // namespace weavefront::parallel

@@ -58,12 +58,6 @@ struct ElementOutput {
     bool broken_fill, broken_warp;
 };
 
-/// Bound on the highest frequency of the elements, and the elements that have turned over.
-struct Condition {
-    double omega_squared = 0;            ///< 1/s2
-    std::vector<std::int32_t> inverted;  ///< local indices in the part
-};
-
 /// Stored fields of a fabric's state, by how many packs need them.
 struct StateSizes {
     int changing, packing, damage;  ///< of damage with that of the element, none where the fabric does not break
@@ -98,8 +92,11 @@ class ElementGroup {
     virtual void advance(std::int32_t first, std::int32_t count, std::span<const Eigen::Vector3d> x, std::span<double> forces,
                          Events& events) = 0;
 
-    /// Bound on the squared frequency over the alive elements, from the instantaneous stiffness in the present state.
-    [[nodiscard]] virtual Condition condition(std::span<const Eigen::Vector3d> x) const = 0;
+    /// Bound on the squared frequency over the alive elements, from the instantaneous stiffness in the present state, 1/s2.
+    [[nodiscard]] virtual double frequency_squared() const = 0;
+
+    /// Number of alive elements that are folded over themselves. @param x positions of the local nodes, m
+    [[nodiscard]] virtual std::int64_t inverted(std::span<const Eigen::Vector3d> x) const = 0;
 
     [[nodiscard]] virtual ElementEnergy energy(std::int32_t index) const = 0;
     /// @param x positions of the local nodes, m

@@ -23,8 +23,9 @@ struct InitialPositions {
     [[nodiscard]] std::size_t size() const { return in_plane.period.size() * heights.size(); }
     [[nodiscard]] Vec3 operator[](std::size_t node) const {
         const auto& [x, y] = in_plane[node];
-        return {x, y, heights[node / in_plane.period.size()]};
+        return {x, y, height(node)};
     }
+    [[nodiscard]] double height(std::size_t node) const { return heights[node / in_plane.period.size()]; }
 };
 
 /// The rank's own nodes come first, then the ghosts that contact needs. A node on the border between parts, or near to one, stands on every

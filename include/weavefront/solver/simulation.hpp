@@ -69,6 +69,7 @@ class Simulation {
     void evaluate_contact();
     void sum_over_ranks();
     void adapt_time_step();
+    void count_inverted();
     void list_supports();
     void hold_supports();
     void move_nodes();
@@ -82,7 +83,11 @@ class Simulation {
     [[nodiscard]] Vec3 push(std::size_t node, double step) const {
         return step * (model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node]);
     }
-    [[nodiscard]] Vec3 next_velocity(std::size_t node) const;
+    [[nodiscard]] Vec3 next_velocity(std::size_t node) const {
+        const double step = (last_dt_ + dt_) / 2, drag = scene_.damping * step / 2;
+        if (drag == 0) return model_.nodes.v[node] + push(node, step);
+        return ((1 - drag) * model_.nodes.v[node] + push(node, step)) / (1 + drag);
+    }
     [[nodiscard]] double back_face_deflection() const;
     [[nodiscard]] double damping_work(std::size_t node, const Vec3& next, double backward, double forward) const;
 

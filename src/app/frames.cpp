@@ -1,7 +1,6 @@
 #include "frames.hpp"
 
 #include <cmath>
-#include <functional>
 
 namespace weavefront::app {
 
@@ -21,7 +20,7 @@ struct CellField {
     scene::Field field;
     const char* name;
     bool integer;
-    std::function<double(const shell::ElementOutput&)> value;
+    double (*value)(const shell::ElementOutput&);
 };
 
 const std::vector<CellField>& cell_fields() {
@@ -67,11 +66,10 @@ io::Frame frame_of(const solver::Simulation& simulation, const std::vector<scene
     io::Frame frame;
     frame.time = simulation.time();
     const auto vectors = [&](auto value) {
-        std::vector<double> values;
-        values.reserve(3 * owned.size());
-        for (const auto n : owned) {
-            const Vec3 vector = value(n);
-            values.insert(values.end(), {finite(vector.x()), finite(vector.y()), finite(vector.z())});
+        std::vector<double> values(3 * owned.size());
+        for (std::size_t i = 0; i < owned.size(); ++i) {
+            const Vec3 vector = value(owned[i]);
+            for (std::size_t d = 0; d < 3; ++d) values[3 * i + d] = finite(vector[static_cast<Eigen::Index>(d)]);
         }
         return values;
     };
@@ -96,13 +94,15 @@ io::Frame frame_of(const solver::Simulation& simulation, const std::vector<scene
     std::vector<CellField> cells;
     for (const auto& field : cell_fields())
         if (wanted(fields, field.field)) cells.push_back(field);
-    for (const auto& field : cells) frame.cell_data.push_back({field.name, 1, field.integer, {}, {}});
-    for (std::size_t e = 0; e < model.places.size(); ++e) {
+    const auto elements = model.places.size();
+    for (const auto& field : cells) frame.cell_data.push_back({field.name, 1, field.integer, std::vector<double>(elements), {}});
+    frame.eroded.reserve(elements);
+    for (std::size_t e = 0; e < elements; ++e) {
         const auto place = model.places[e];
         frame.eroded.push_back(!model.groups[static_cast<std::size_t>(place.group)]->alive(place.index));
         if (cells.empty()) continue;
         const auto output = simulation.element_output(static_cast<std::int32_t>(e));
-        for (std::size_t c = 0; c < cells.size(); ++c) frame.cell_data[c].values.push_back(finite(cells[c].value(output)));
+        for (std::size_t c = 0; c < cells.size(); ++c) frame.cell_data[c].values[e] = finite(cells[c].value(output));
     }
     return frame;
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "agreement.hpp"
 #include "weavefront/parallel/item_type.hpp"
@@ -84,8 +85,17 @@ void BlockExchange::exchange(std::span<const std::byte> values, std::span<std::b
     const parallel::ItemType type(item);
     check(MPI_Alltoallv(values.data(), send_counts_.data(), send_starts_.data(), type.get(), arrived.data(), receive_counts_.data(),
                         receive_starts_.data(), type.get(), comm_->get()));
-    for (std::size_t i = 0; i < position_.size(); ++i)
-        std::memcpy(block.data() + static_cast<std::size_t>(position_[i]) * item, arrived.data() + i * item, item);
+    const auto place = [&](auto size) {
+        for (std::size_t i = 0; i < position_.size(); ++i)
+            std::memcpy(block.data() + static_cast<std::size_t>(position_[i]) * size, arrived.data() + i * size, size);
+    };
+    // Sizes that are known when this is compiled are copied without a call.
+    if (item == sizeof(double))
+        place(std::integral_constant<std::size_t, sizeof(double)>());
+    else if (item == 3 * sizeof(double))
+        place(std::integral_constant<std::size_t, 3 * sizeof(double)>());
+    else
+        place(item);
 }
 
 }  // namespace weavefront::io

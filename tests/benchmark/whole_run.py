@@ -21,7 +21,7 @@ SCENE = HERE.parent.parent / "examples/kevlar129_8ply/impact_267.yaml"
 NO_PLY_CONTACT = ["contact={projectile: {stiffness: 5.6e12 N/m^3, unloading: 10}}"]
 FINER = ["target.mesh={center: 0.5 mm, edge: 1 mm, growth: 1.08}"]
 CUT = ["time.end=20 us", "output.interval=0", "output.history=20 us"]
-STEP_PHASES = ("elements", "contact", "halo", "integrate", "ledger")
+STEP_PHASES = ("elements", "contact", "search", "halo", "integrate", "ledger")
 STEPS = 20  # of benchmark_step, after 20 to warm up
 CONNECTIVITY = 4 * 4  # bytes: four nodes of an element, 32 bits each
 TARGETS = {"memory": 400, "two_ranks": 0.95, "output": 0.05, "AVX-512": 3.5, "AVX2": 3.0}

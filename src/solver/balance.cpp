@@ -58,15 +58,25 @@ Balance Simulation::balance() {
         else
             ++sums[faulty];
     };
-    for (std::size_t n = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
+    const auto count = static_cast<std::size_t>(nodes.count);
+    const double step = (last_dt_ + dt_) / 2;
+    std::size_t n = 0;
+    if (scene_.damping == 0)
+        for (; n + energies_at_once <= count; n += energies_at_once) {
+            const auto energies = kinetic_energies(nodes, model_.assembly.scale(), n, step, last_dt_);
+            for (std::size_t i = 0; i < energies_at_once; ++i)
+                if (nodes.owned[n + i]) add(kinetic, energies[i]);
+        }
+    for (; n < count; ++n) {
         if (!nodes.owned[n]) continue;
-        const Vec3 next = next_velocity(n);
-        const double step = (last_dt_ + dt_) / 2;
-        const Vec3 acceleration = (next - nodes.v[n]) / step;
+        const Vec3 next = next_velocity(n), acceleration = (next - nodes.v[n]) / step;
         add(kinetic, nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
         if (scene_.damping > 0) add(damping, damping_work(n, next, last_dt_, 0));
-        highest = std::max(highest, std::abs(nodes.x[n].z() - nodes.initial.height(n)));
     }
+    const auto of_ply = nodes.initial.in_plane.period.size();
+    for (std::size_t ply = 0, node = 0; ply < nodes.initial.heights.size(); ++ply)
+        for (std::size_t i = 0; i < of_ply; ++i, ++node)
+            if (nodes.owned[node]) highest = std::max(highest, std::abs(nodes.x[node].z() - nodes.initial.heights[ply]));
     for (const auto& group : model_.groups)
         for (std::int32_t i = 0; i < group->size(); ++i) {
             if (!group->alive(i)) continue;

@@ -46,6 +46,26 @@ void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, d
         }
 }
 
+std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const parallel::FixedPoint& scale, std::size_t first, double step,
+                                                      double backward) {
+    static_assert(energies_at_once == together);
+    const double quantum = scale.quantum();
+    const Pack mass = Pack::load_anywhere(&nodes.mass[first]);
+    const std::int64_t* force = nodes.force[first].data();
+    const double* v = nodes.v[first].data();
+    std::array<double, 3 * together> products;
+    for_blocks([&]<int block>() __attribute__((always_inline)) {
+        constexpr auto at = block * together;
+        const Pack f = to_pack(fabric::Integers::load(force + at)) * quantum, now = Pack::load_anywhere(v + at);
+        const Pack next = now + step * (f / fabric::spread<block>(mass)), acceleration = (next - now) / step;
+        (now * (now + backward * acceleration)).store_anywhere(products.data() + at);
+    });
+    std::array<double, energies_at_once> energies;
+    for (std::size_t n = 0; n < together; ++n)
+        energies[n] = nodes.mass[first + n] * (products[3 * n] + products[3 * n + 1] + products[3 * n + 2]) / 2;
+    return energies;
+}
+
 Across across_of(std::span<const Vec3> positions) {
     Across across(positions.size());
     for (std::size_t n = 0; n < positions.size(); ++n)

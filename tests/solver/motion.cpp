@@ -44,6 +44,21 @@ TEST(Motion, MovesEveryNodeAsIfAlone) {
     }
 }
 
+TEST(Motion, GivesTheKineticEnergyOfEachNode) {
+    const parallel::FixedPoint scale(3000);
+    std::mt19937_64 random(9);
+    const auto nodes = random_nodes(3 * solver::energies_at_once, random);
+    for (std::size_t first = 0; first < 2 * solver::energies_at_once; ++first) {
+        const auto energies = solver::kinetic_energies(nodes, scale, first, step, dt);
+        for (std::size_t i = 0; i < energies.size(); ++i) {
+            const auto n = first + i;
+            const Vec3 force(scale.to(nodes.force[n][0]), scale.to(nodes.force[n][1]), scale.to(nodes.force[n][2])), &v = nodes.v[n];
+            const Vec3 next = v + step * (force / nodes.mass[n]), acceleration = (next - v) / step;
+            EXPECT_EQ(energies[i], nodes.mass[n] * v.dot(v + dt * acceleration) / 2) << n;
+        }
+    }
+}
+
 TEST(Motion, SeesOneNodeThatMovedAcrossButNotAlong) {
     for (std::size_t count = 1; count < 20; ++count)
         for (std::size_t n = 0; n < count; ++n) {

@@ -140,8 +140,6 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     summary.eroded_elements = last.eroded_elements;
     summary.first_break = first_breaks(simulation.counts(), comm_);
     summary.left_out = left_out(scene_, comm_.size());
-    std::array<std::int64_t, 1> inverted{simulation.counts().inverted};
-    comm_.sum(inverted);
 
     log_.info(fmt::format("{} at t = {:.6g} us after {} steps: {}", stopped ? "Stopped" : "Finished", summary.time * 1e6, summary.steps,
                           summary.reason));
@@ -156,7 +154,8 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
         log_.warn("the projectile never touched the target");
     if (simulation.counts().lowest_contact_energy < 0)
         log_.warn(fmt::format("contact gave energy: its work went down to {:.3g} J", simulation.counts().lowest_contact_energy));
-    if (inverted[0] > 0) log_.warn(fmt::format("up to {} elements at a time were folded over themselves", inverted[0]));
+    if (simulation.counts().inverted > 0)
+        log_.warn(fmt::format("up to {} elements at a time were folded over themselves", simulation.counts().inverted));
     for (const auto& phase : summary.wall_seconds)
         log_.info(fmt::format("  {:<13} {:.2f} / {:.2f} / {:.2f} s (least, mean, most over the ranks)", phase.name, phase.min, phase.mean,
                               phase.max));

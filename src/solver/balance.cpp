@@ -49,7 +49,7 @@ double Simulation::back_face_deflection() const {
 Balance Simulation::balance() {
     const Timed timed(seconds_, Phase::ledger);
     const auto& nodes = model_.nodes;
-    enum Sum : std::size_t { kinetic, internal, hourglass, friction, damping, contact, eroded, broken, eroded_count, faulty, size };
+    enum Sum : std::size_t { kinetic, internal, hourglass, friction, damping, contact, eroded, broken, eroded_count, folded, faulty, size };
     std::array<std::int64_t, size> sums{};
     double highest = 0;
     const auto add = [&](Sum sum, double value) {
@@ -77,7 +77,8 @@ Balance Simulation::balance() {
     for (std::size_t ply = 0, node = 0; ply < nodes.initial.heights.size(); ++ply)
         for (std::size_t i = 0; i < of_ply; ++i, ++node)
             if (nodes.owned[node]) highest = std::max(highest, std::abs(nodes.x[node].z() - nodes.initial.heights[ply]));
-    for (const auto& group : model_.groups)
+    for (const auto& group : model_.groups) {
+        sums[folded] += group->inverted(nodes.x);
         for (std::int32_t i = 0; i < group->size(); ++i) {
             if (!group->alive(i)) continue;
             const auto energy = group->energy(i);
@@ -85,6 +86,7 @@ Balance Simulation::balance() {
             add(hourglass, energy.hourglass);
             add(friction, energy.friction);
         }
+    }
     sums[internal] += eroded_work_;
     sums[friction] += eroded_friction_;
     sums[eroded] += eroded_hourglass_;
@@ -126,6 +128,7 @@ Balance Simulation::balance() {
         balance.turnover = turnover_;
         balance.closure = defect / turnover_;
     }
+    counts_.inverted = std::max(counts_.inverted, multiplicity * sums[folded]);
     counts_.largest_closure = std::max(counts_.largest_closure, std::abs(balance.closure));
     counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, balance.contact);
     counts_.max_displacement = std::max(counts_.max_displacement, balance.max_displacement);

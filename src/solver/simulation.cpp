@@ -20,9 +20,6 @@ constexpr std::int32_t packs_at_once = 64;
 // The time step follows its bound every so many steps; in between the bound changes by far less than the safety factor leaves.
 constexpr std::int64_t steps_between_checks = 5;
 
-// Elements that are folded over themselves are counted every so many steps: they stay so for long, and nothing but a warning depends on it.
-constexpr std::int64_t steps_between_counts = 100;
-
 // Lists of what may meet hold what comes within this many edges of the smallest element: short lists against few renewals.
 constexpr double skin_in_edges = 0.75;
 
@@ -104,7 +101,6 @@ void Simulation::advance_forces() {
     sum_over_ranks();
     hold_supports();
     if (steps_ % steps_between_checks == 0) adapt_time_step();
-    if (steps_ % steps_between_counts == 0) count_inverted();
 }
 
 void Simulation::integrate() {
@@ -229,13 +225,6 @@ void Simulation::adapt_time_step() {
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
     dt_ = bound;
     for (const auto& group : model_.groups) group->set_time_step(dt_);
-}
-
-void Simulation::count_inverted() {
-    const Timed timed(seconds_, Phase::elements);
-    std::int64_t inverted = 0;
-    for (const auto& group : model_.groups) inverted += group->inverted(model_.nodes.x);
-    counts_.inverted = std::max(counts_.inverted, inverted);
 }
 
 void Simulation::list_supports() {

@@ -16,12 +16,13 @@
 
 namespace weavefront::solver {
 
-/// What is counted on the way, of this rank's elements, not multiplied by symmetry.
+/// What is counted on the way: from step to step of this rank's elements, not multiplied by symmetry, and from row to row of the whole
+/// target.
 struct Counts {
     std::int64_t broken_yarns = 0, eroded_elements = 0;
     std::vector<double> first_break;                        ///< by ply, s; largest double: none
     std::int64_t searches = 0;                              ///< how often what may meet was looked for, the first time included
-    std::int64_t inverted = 0;                              ///< elements found turned over, at the checks
+    std::int64_t inverted = 0;                              ///< elements folded over themselves, most of the rows
     double max_displacement = 0, back_face_deflection = 0;  ///< largest of the rows, m
     double lowest_contact_energy = 0;                       ///< J, over the rows: below zero contact gave energy
     double largest_closure = 0;                             ///< of the rows, see Balance
@@ -69,7 +70,6 @@ class Simulation {
     void evaluate_contact();
     void sum_over_ranks();
     void adapt_time_step();
-    void count_inverted();
     void list_supports();
     void hold_supports();
     void move_nodes();

@@ -9,42 +9,37 @@ namespace weavefront::contact {
 
 namespace {
 
-bool footprints_meet(const Box& a, const Box& b, double reach) {
-    return a.low.x() <= b.high.x() + reach && a.high.x() >= b.low.x() - reach && a.low.y() <= b.high.y() + reach &&
-           a.high.y() >= b.low.y() - reach;
-}
-
 /// Uniform bins over x and y; a facet is listed in every bin that its footprint touches.
 class Bins {
   public:
-    Bins(const std::vector<Box>& boxes, const std::vector<std::int32_t>& facets, double size) : boxes_(boxes), size_(size) {
-        Vec3 high = Vec3::Constant(-1e300);
-        for (const auto f : facets) {
-            low_ = low_.cwiseMin(boxes[static_cast<std::size_t>(f)].low);
-            high = high.cwiseMax(boxes[static_cast<std::size_t>(f)].high);
-        }
-        nx_ = count(high.x() - low_.x());
-        ny_ = count(high.y() - low_.y());
+    Bins(const std::vector<Footprint>& footprints, const std::vector<std::int32_t>& facets, double size)
+        : footprints_(footprints), size_(size) {
+        for (const auto f : facets) all_.include(footprints[static_cast<std::size_t>(f)]);
+        nx_ = count(all_.x_high - all_.x_low);
+        ny_ = count(all_.y_high - all_.y_low);
         first_.assign(static_cast<std::size_t>(nx_ * ny_) + 1, 0);
-        for (const auto f : facets) visit(range(boxes[static_cast<std::size_t>(f)], 0), [&](auto bin) { ++first_[bin]; });
+        for (const auto f : facets)
+            visit(range(footprints[static_cast<std::size_t>(f)], 0), [&](auto i, auto j) { ++first_[index(i, j)]; });
         std::partial_sum(first_.begin(), first_.end(), first_.begin());
         listed_.resize(static_cast<std::size_t>(first_.back()));
-        for (const auto f : facets | std::views::reverse)
-            visit(range(boxes[static_cast<std::size_t>(f)], 0), [&](auto bin) { listed_[static_cast<std::size_t>(--first_[bin])] = f; });
+        for (const auto f : facets | std::views::reverse) {
+            const auto own = range(footprints[static_cast<std::size_t>(f)], 0);
+            visit(own, [&](auto i, auto j) { listed_[static_cast<std::size_t>(--first_[index(i, j)])] = {f, i == own.i0, j == own.j0}; });
+        }
     }
 
-    /// Calls `use` once with each facet whose footprint comes within `reach` of that of a box.
+    /// Calls `use` once with each facet whose footprint comes within `reach` of the one given.
     template <class Use>
-    void find(const Box& box, double reach, Use use) const {
-        const auto around = range(box, reach);
-        visit(around, [&](std::size_t bin) {
+    void find(const Footprint& footprint, double reach, Use use) const {
+        const auto around = range(footprint, reach);
+        visit(around, [&](std::int64_t i, std::int64_t j) {
+            const auto bin = index(i, j);
             for (auto k = first_[bin]; k < first_[bin + 1]; ++k) {
-                const auto facet = listed_[static_cast<std::size_t>(k)];
-                const auto& other = boxes_[static_cast<std::size_t>(facet)];
-                if (!footprints_meet(box, other, reach)) continue;
+                const auto& [facet, first_column, first_row] = listed_[static_cast<std::size_t>(k)];
                 // Of the bins that both touch it counts in the first.
-                const auto own = range(other, 0);
-                if (bin == index(std::max(around.i0, own.i0), std::max(around.j0, own.j0))) use(facet);
+                if ((first_column || i == around.i0) && (first_row || j == around.j0) &&
+                    footprint.near(footprints_[static_cast<std::size_t>(facet)], reach))
+                    use(facet);
             }
         });
     }
@@ -54,14 +49,14 @@ class Bins {
     struct Range {
         std::int64_t i0, i1, j0, j1;
     };
-    [[nodiscard]] Range range(const Box& box, double reach) const {
-        return {along(box.low.x() - reach - low_.x(), nx_), along(box.high.x() + reach - low_.x(), nx_),
-                along(box.low.y() - reach - low_.y(), ny_), along(box.high.y() + reach - low_.y(), ny_)};
+    [[nodiscard]] Range range(const Footprint& of, double reach) const {
+        return {along(of.x_low - reach - all_.x_low, nx_), along(of.x_high + reach - all_.x_low, nx_),
+                along(of.y_low - reach - all_.y_low, ny_), along(of.y_high + reach - all_.y_low, ny_)};
     }
     template <class Use>
     void visit(const Range& range, Use use) const {
         for (auto j = range.j0; j <= range.j1; ++j)
-            for (auto i = range.i0; i <= range.i1; ++i) use(index(i, j));
+            for (auto i = range.i0; i <= range.i1; ++i) use(i, j);
     }
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const { return static_cast<std::size_t>(j * nx_ + i); }
     // Fragments can fly far: past 4096 bins a side the last bin takes the rest.
@@ -72,30 +67,35 @@ class Bins {
         return static_cast<std::int64_t>(std::clamp(offset / size_, 0.0, static_cast<double>(n - 1)));
     }
 
-    const std::vector<Box>& boxes_;
+    const std::vector<Footprint>& footprints_;
     double size_;
-    Vec3 low_ = Vec3::Constant(1e300);
+    Footprint all_;
     std::int64_t nx_ = 1, ny_ = 1;
-    std::vector<std::int32_t> first_, listed_;  ///< of each bin: its facets
+    struct Listing {
+        std::int32_t facet;
+        bool first_column, first_row;  ///< of the bins that the facet touches
+    };
+    std::vector<std::int32_t> first_;  ///< of each bin
+    std::vector<Listing> listed_;
 };
 
 }  // namespace
 
-Candidates find_candidates(const Surface& surface, std::span<const Vec3> x, double reach) {
-    std::vector<Box> boxes;
-    boxes.reserve(surface.facets.size());
+Candidates find_candidates(const Surface& surface, const Whereabouts& expected, double reach) {
+    std::vector<Footprint> footprints;
+    footprints.reserve(surface.facets.size());
     std::vector<std::vector<std::int32_t>> by_ply(surface.plies.size());
     double size = reach;
     for (std::size_t f = 0; f < surface.facets.size(); ++f) {
-        boxes.push_back(Box::around(surface.facets[f], x));
+        footprints.push_back(expected.of(surface.facets[f]));
         by_ply[static_cast<std::size_t>(surface.facets[f].ply)].push_back(static_cast<std::int32_t>(f));
     }
     // Bins of about the mean facet size keep the lists short on graded meshes.
     double mean = 0;
-    for (const auto& box : boxes) mean += (box.high - box.low).head<2>().maxCoeff();
-    if (!boxes.empty()) size = std::max(size, mean / static_cast<double>(boxes.size()));
+    for (const auto& one : footprints) mean += std::max(one.x_high - one.x_low, one.y_high - one.y_low);
+    if (!footprints.empty()) size = std::max(size, mean / static_cast<double>(footprints.size()));
     std::vector<Bins> bins;
-    for (const auto& facets : by_ply) bins.emplace_back(boxes, facets, size);
+    for (const auto& facets : by_ply) bins.emplace_back(footprints, facets, size);
 
     Candidates candidates;
     candidates.reserve(static_cast<std::size_t>(surface.owned));
@@ -107,11 +107,11 @@ Candidates find_candidates(const Surface& surface, std::span<const Vec3> x, doub
     };
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
-        const auto& box = boxes[static_cast<std::size_t>(f)];
+        const auto& footprint = footprints[static_cast<std::size_t>(f)];
         bool look_behind = surface.alive[static_cast<std::size_t>(f)] != 0;
         for (auto ply = static_cast<std::size_t>(facet.ply) + 1; ply < surface.plies.size() && look_behind; ++ply) {
             found.clear();
-            bins[ply].find(box, reach, [&](std::int32_t other) { found.push_back(other); });
+            bins[ply].find(footprint, reach, [&](std::int32_t other) { found.push_back(other); });
             std::ranges::sort(found, by_id);
             look_behind = false;
             for (const auto other : found) {

@@ -14,7 +14,7 @@ namespace {
 constexpr double rounding = 1e-4;
 
 // Of the touching distance. Candidates farther away are left out of a shortlist, which then holds until they may have come near.
-constexpr double near_in_touching = 0.2;
+constexpr double near_in_touching = 0.4;
 
 }  // namespace
 

@@ -65,9 +65,9 @@ PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spaci
         rules_.push_back(static_cast<std::uint8_t>(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x))));
 }
 
-void PlyContact::update_candidates(const Surface& surface, std::span<const Vec3> x, double skin) {
+void PlyContact::update_candidates(const Surface& surface, const Whereabouts& expected, std::span<const Vec3> x, double skin) {
     candidates_ = {};  // before others take room
-    candidates_ = find_candidates(surface, x, touching_.depth() + skin);
+    candidates_ = find_candidates(surface, expected, touching_.depth() + skin);
     approach_.rebuild(surface, candidates_, x);
     for (std::int32_t g = 0; g < approach_.groups(); ++g)
         for (std::size_t k = 0; k < watches(g).size(); ++k) {

@@ -11,7 +11,7 @@ ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const 
     }
 }
 
-void ProjectileContact::update_candidates(const Surface& surface, std::span<const Vec3> x, const ProjectileState& projectile, double skin) {
+void ProjectileContact::update_candidates(const Surface& surface, const Whereabouts& expected, const Footprint& way, double skin) {
     candidates_.clear();
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
@@ -19,12 +19,7 @@ void ProjectileContact::update_candidates(const Surface& surface, std::span<cons
             memories_.forget(f);
             continue;
         }
-        const auto box = Box::around(facet, x);
-        const double reach = shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin;
-        const auto apart = [&](int d) {
-            return box.low[d] > projectile.position[d] + reach || box.high[d] < projectile.position[d] - reach;
-        };
-        if (!apart(0) && !apart(1)) candidates_.push_back(f);
+        if (way.near(expected.of(facet), shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin)) candidates_.push_back(f);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "weavefront/solver/guard.hpp"
+#include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/simulation.hpp"
 
 namespace weavefront::solver {

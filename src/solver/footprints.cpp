@@ -15,16 +15,6 @@ std::int64_t bin_of(double offset, std::int64_t bins) {
 
 }  // namespace
 
-Footprint Footprint::of(const contact::Facet& facet, std::span<const Vec3> x) {
-    const auto box = contact::Box::around(facet, x);
-    return {box.low.x(), box.high.x(), box.low.y(), box.high.y()};
-}
-
-void Footprint::include(const Footprint& other) {
-    x_low = std::min(x_low, other.x_low), x_high = std::max(x_high, other.x_high);
-    y_low = std::min(y_low, other.y_low), y_high = std::max(y_high, other.y_high);
-}
-
 FootprintBins::FootprintBins(std::vector<Footprint> footprints, double reach) : footprints_(std::move(footprints)), reach_(reach) {
     if (footprints_.empty()) return;
     for (const auto& footprint : footprints_) {

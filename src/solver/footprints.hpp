@@ -1,27 +1,15 @@
 #pragma once
 /// @file
-/// Footprints of facets, and which of them come near.
+/// Which of many footprints come near.
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "weavefront/contact/surface.hpp"
+#include "weavefront/contact/whereabouts.hpp"
 
 namespace weavefront::solver {
 
-/// A rectangle in x and y, m; empty until it includes something.
-struct Footprint {
-    double x_low = std::numeric_limits<double>::max(), x_high = -x_low, y_low = x_low, y_high = -x_low;
-
-    static Footprint of(const contact::Facet& facet, std::span<const Vec3> x);
-    void include(const Footprint& other);
-    /// Whether `other` comes within `reach` of this one; never when this one is empty.
-    [[nodiscard]] bool near(const Footprint& other, double reach) const {
-        return other.x_low <= x_high + reach && other.x_high >= x_low - reach && other.y_low <= y_high + reach &&
-               other.y_high >= y_low - reach;
-    }
-};
+using contact::Footprint;
 
 /// Many footprints, sorted into uniform bins, to be asked for those near another.
 class FootprintBins {

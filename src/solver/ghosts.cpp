@@ -89,12 +89,11 @@ ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double r
     return parallel::all_to_all(comm, outgoing);
 }
 
-Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& plan, double reach, const contact::Surface& surface,
-                const Nodes& nodes) {
+Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
+                const contact::Surface& surface, const Nodes& nodes) {
     const auto ranks = static_cast<std::size_t>(comm.size());
     std::vector<Footprint> footprints;
-    for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f)
-        footprints.push_back(Footprint::of(surface.facets[f], nodes.x));
+    for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f) footprints.push_back(expected.of(surface.facets[f]));
     auto around = footprints_around(comm, reach, surface, footprints);
     const auto owner = owners(plan, comm.rank());
     Outgoing out{ByRank<FacetMessage>(ranks), ByRank<NodeMessage>(ranks)};
@@ -234,11 +233,11 @@ ForceExchange halo_exchange(const partition::HaloPlan& plan) {
     return ForceExchange(std::move(links));
 }
 
-ForceExchange rebuild_ghosts(const parallel::Communicator& comm, const partition::HaloPlan& plan, double reach, contact::Surface& surface,
-                             Nodes& nodes) {
+ForceExchange rebuild_ghosts(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected,
+                             double reach, contact::Surface& surface, Nodes& nodes) {
     if (comm.size() == 1) return {};
     Places places(nodes);
-    const auto out = select(comm, plan, reach, surface, nodes);
+    const auto out = select(comm, plan, expected, reach, surface, nodes);
     const auto wanted = take_in(parallel::all_to_all(comm, out.nodes), places, nodes);
     take_in_facets(parallel::all_to_all(comm, out.facets), places, surface);
     const auto introduced = introduce(parallel::all_to_all(comm, wanted), plan, places, comm.rank());

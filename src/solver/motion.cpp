@@ -1,8 +1,5 @@
 #include "weavefront/solver/motion.hpp"
 
-#include <cmath>
-#include <cstring>
-
 #include "weavefront/fabric/integers.hpp"
 #include "weavefront/fabric/vectors.hpp"
 
@@ -64,36 +61,6 @@ std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const 
     for (std::size_t n = 0; n < together; ++n)
         energies[n] = nodes.mass[first + n] * (products[3 * n] + products[3 * n + 1] + products[3 * n + 2]) / 2;
     return energies;
-}
-
-Across across_of(std::span<const Vec3> positions) {
-    Across across(positions.size());
-    for (std::size_t n = 0; n < positions.size(); ++n)
-        across[n] = {static_cast<float>(positions[n].x()), static_cast<float>(positions[n].y())};
-    return across;
-}
-
-bool any_moved_across(std::span<const Vec3> now, const Across& before, double limit) {
-    using Floats [[gnu::vector_size(16)]] = float;
-    using TwoDoubles [[gnu::vector_size(16)]] = double;
-    using Doubles [[gnu::vector_size(32)]] = double;
-    using Bits [[gnu::vector_size(32)]] = std::int64_t;
-    const auto whole = before.size() / 2 * 2;
-    Bits far{};
-    for (std::size_t n = 0; n < whole; n += 2) {
-        Floats from;
-        TwoDoubles one, other;
-        std::memcpy(&from, before[n].data(), sizeof from);
-        std::memcpy(&one, now[n].data(), sizeof one);
-        std::memcpy(&other, now[n + 1].data(), sizeof other);
-        const Doubles way = __builtin_shufflevector(one, other, 0, 1, 2, 3) - __builtin_convertvector(from, Doubles);
-        far |= reinterpret_cast<Doubles>(reinterpret_cast<Bits>(way) & std::int64_t{0x7fffffffffffffff}) > limit;
-    }
-    bool found = (far[0] | far[1] | far[2] | far[3]) != 0;
-    for (std::size_t n = whole; n < before.size(); ++n)
-        for (std::size_t d = 0; d < 2; ++d)
-            found = found || std::abs(now[n][static_cast<Eigen::Index>(d)] - static_cast<double>(before[n][d])) > limit;
-    return found;
 }
 
 }  // namespace weavefront::solver

@@ -23,6 +23,12 @@ constexpr std::int64_t steps_between_checks = 5;
 // Lists of what may meet hold what comes within this many edges of the smallest element: short lists against few renewals.
 constexpr double skin_in_edges = 0.75;
 
+// Footprints of facets may approach by the skin: each of a pair by half of it, less this part of all, kept for the step that is under way.
+constexpr double kept_of_skin = 0.125;
+
+// Nodes are expected anywhere on the way that they would take in so many steps.
+constexpr double steps_ahead = 40;
+
 // A time step not more than this factor below its bound is kept: a change costs new relaxation coefficients.
 constexpr double worth_raising = 1.05;
 
@@ -261,11 +267,10 @@ void Simulation::move_nodes() {
 }
 
 bool Simulation::moved_far() const {
-    if (candidate_positions_.empty()) return false;
-    // Footprints of facets may approach by the skin: each of a pair by half of it, half of that kept for the step that is under way.
-    const double limit = model_.smallest_edge * skin_in_edges / 4;
-    if (model_.projectile && (model_.projectile->position - candidate_projectile_).head<2>().cwiseAbs().maxCoeff() > limit) return true;
-    return any_moved_across(model_.nodes.own_x(), candidate_positions_, limit);
+    if (expected_nodes_.empty()) return false;
+    const double margin = model_.smallest_edge * skin_in_edges * (0.5 - kept_of_skin);
+    return expected_nodes_.any_left(model_.nodes.own_x(), margin) ||
+           (model_.projectile && expected_projectile_.any_left({&model_.projectile->position, 1}, margin));
 }
 
 void Simulation::update_candidates() {
@@ -273,22 +278,35 @@ void Simulation::update_candidates() {
     if (!model_.projectile_contact && !model_.ply_contact && !model_.frame_contact) return;
     const Timed timed(seconds_, Phase::search);
     ++counts_.searches;
-    const double skin = skin_in_edges * model_.smallest_edge;
+    const double skin = skin_in_edges * model_.smallest_edge, ahead = steps_ahead * dt_;
     auto& nodes = model_.nodes;
+    expected_nodes_ = contact::Whereabouts(nodes.x, nodes.v, ahead);
     const double reach = ghost_reach(scene_, panel_);
     if (reach > 0) {
         if (comm_.size() > 1) {
-            model_.exchange = rebuild_ghosts(comm_, model_.halo, reach, model_.surface, nodes);
+            model_.exchange = rebuild_ghosts(comm_, model_.halo, expected_nodes_, reach, model_.surface, nodes);
+            expected_nodes_ = contact::Whereabouts(nodes.x, nodes.v, ahead);
             list_supports();
         }
         model_.normals.rebuild(model_.surface, nodes.x.size());
     }
-    if (model_.ply_contact) model_.ply_contact->update_candidates(model_.surface, nodes.x, skin);
+    if (model_.ply_contact) model_.ply_contact->update_candidates(model_.surface, expected_nodes_, nodes.x, skin);
     if (model_.projectile_contact) {
-        model_.projectile_contact->update_candidates(model_.surface, nodes.x, *model_.projectile, skin);
-        candidate_projectile_ = model_.projectile->position;
+        auto& projectile = *model_.projectile;
+        expected_projectile_ = contact::Whereabouts({&projectile.position, 1}, {&projectile.velocity, 1}, ahead);
+        model_.projectile_contact->update_candidates(model_.surface, expected_nodes_, expected_projectile_.of_node(0), skin);
     }
-    candidate_positions_ = across_of(nodes.own_x());
+    let_debris_go();
+}
+
+void Simulation::let_debris_go() {
+    const auto& surface = model_.surface;
+    std::vector<bool> in_fabric(static_cast<std::size_t>(model_.nodes.count), false);
+    for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f)
+        if (surface.alive[f])
+            for (const auto node : surface.facets[f].nodes) in_fabric[static_cast<std::size_t>(node)] = true;
+    for (std::size_t n = 0; n < in_fabric.size(); ++n)
+        if (!in_fabric[n]) expected_nodes_.let_go(n);
 }
 
 shell::ElementOutput Simulation::element_output(std::int32_t element) const {

@@ -11,25 +11,19 @@
 namespace weavefront::test {
 namespace {
 
-using contact::Box;
-
-bool near(const Box& a, const Box& b, double reach) {
-    for (int d = 0; d < 2; ++d)
-        if (a.low[d] > b.high[d] + reach || b.low[d] > a.high[d] + reach) return false;
-    return true;
-}
+using contact::Whereabouts;
 
 /// Global ids by trying all facets, as the header says it.
-std::vector<std::int64_t> by_trying_all(const contact::Surface& surface, const Positions& x, double reach, std::size_t f) {
+std::vector<std::int64_t> by_trying_all(const contact::Surface& surface, const Whereabouts& expected, double reach, std::size_t f) {
     std::vector<std::int64_t> found;
     if (!surface.alive[f]) return found;
-    const auto box = Box::around(surface.facets[f], x);
+    const auto footprint = expected.of(surface.facets[f]);
     bool hole = true;
     for (auto ply = surface.facets[f].ply + 1; hole && ply < static_cast<std::int32_t>(surface.plies.size()); ++ply) {
         hole = false;
         std::vector<std::int64_t> of_ply;
         for (std::size_t o = 0; o < surface.facets.size(); ++o) {
-            if (surface.facets[o].ply != ply || !near(box, Box::around(surface.facets[o], x), reach)) continue;
+            if (surface.facets[o].ply != ply || !footprint.near(expected.of(surface.facets[o]), reach)) continue;
             if (surface.alive[o])
                 of_ply.push_back(surface.facets[o].id);
             else
@@ -60,13 +54,13 @@ TEST(Candidates, AreThoseThatTryingAllFinds) {
     for (int n = 0; n < 30; ++n) {
         const auto plies = random_plies(random, 1);
         for (const double reach : {0.0, 0.03, 0.3}) {
-            const auto candidates = contact::find_candidates(plies.surface, plies.x, reach);
+            const auto candidates = contact::find_candidates(plies.surface, Whereabouts(plies.x), reach);
             ASSERT_EQ(candidates.size(), plies.surface.facets.size());
             for (std::size_t f = 0; f < plies.surface.facets.size(); ++f) {
                 std::vector<std::int64_t> found;
                 for (const auto other : candidates.of(static_cast<std::int32_t>(f)))
                     found.push_back(plies.surface.facets[static_cast<std::size_t>(other)].id);
-                ASSERT_EQ(found, by_trying_all(plies.surface, plies.x, reach, f)) << n << ' ' << f;
+                ASSERT_EQ(found, by_trying_all(plies.surface, Whereabouts(plies.x), reach, f)) << n << ' ' << f;
             }
         }
     }
@@ -84,12 +78,12 @@ TEST(Candidates, DoNotDependOnWhichFacetsAreGhosts) {
     for (std::size_t i = 0; i < order.size(); ++i)
         part.facets[i] = plies.surface.facets[order[i]], part.alive[i] = plies.surface.alive[order[i]];
     part.owned = owned;
-    const auto candidates = contact::find_candidates(part, plies.x, 0.05);
+    const auto candidates = contact::find_candidates(part, Whereabouts(plies.x), 0.05);
     ASSERT_EQ(candidates.size(), static_cast<std::size_t>(owned));
     for (std::int32_t f = 0; f < part.owned; ++f) {
         std::vector<std::int64_t> found;
         for (const auto other : candidates.of(f)) found.push_back(part.facets[static_cast<std::size_t>(other)].id);
-        ASSERT_EQ(found, by_trying_all(part, plies.x, 0.05, static_cast<std::size_t>(f)));
+        ASSERT_EQ(found, by_trying_all(part, Whereabouts(plies.x), 0.05, static_cast<std::size_t>(f)));
     }
 }
 

@@ -26,7 +26,7 @@ std::vector<contact::PairForce> press(PlyContact& contact, Plies& plies, std::si
     Positions v(plies.x.size(), Vec3::Zero());
     for (std::size_t n = 0; n < moving; ++n) v[n] = travel / (steps * dt);
     std::vector<contact::PairForce> forces;
-    contact.update_candidates(plies.surface, plies.x, travel.norm());
+    contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, travel.norm());
     for (int step = 0; step < steps; ++step) {
         for (std::size_t n = 0; n < moving; ++n) plies.x[n] += dt * v[n];
         forces.clear();
@@ -148,7 +148,7 @@ TEST(PlyContact, WaitingChangesNoBit) {
         Motion motion(random, plies.x, 13 * 13);
         PlyContact waiting(law, 0.25e-3, plies.surface, plies.x);
         auto anew = waiting;
-        waiting.update_candidates(plies.surface, plies.x, skin);
+        waiting.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, skin);
         std::size_t touched = 0, let_go = 0;
         for (int step = 1; step <= 60; ++step) {
             auto x = motion.at(step * dt);
@@ -164,7 +164,7 @@ TEST(PlyContact, WaitingChangesNoBit) {
                 next.restore(f, record);
             }
             anew = std::move(next);
-            anew.update_candidates(plies.surface, plies.x, skin);
+            anew.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, skin);
             anew.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, expected);
             sort(forces), sort(expected);
             ASSERT_TRUE(same_bits(forces, expected)) << "pass " << pass << ", step " << step;

@@ -59,19 +59,5 @@ TEST(Motion, GivesTheKineticEnergyOfEachNode) {
     }
 }
 
-TEST(Motion, SeesOneNodeThatMovedAcrossButNotAlong) {
-    for (std::size_t count = 1; count < 20; ++count)
-        for (std::size_t n = 0; n < count; ++n) {
-            const std::vector<Vec3> start(count, Vec3(1, 2, 3));
-            const auto before = solver::across_of(start);
-            auto now = start;
-            now[n] += Vec3(0.1, -0.1, 5);
-            EXPECT_FALSE(solver::any_moved_across(now, before, 0.11)) << n << " of " << count;
-            EXPECT_TRUE(solver::any_moved_across(now, before, 0.09)) << n << " of " << count;
-            now[n] = start[n] - Vec3(0, 0.2, 0);
-            EXPECT_TRUE(solver::any_moved_across(now, before, 0.11)) << n << " of " << count;
-        }
-}
-
 }  // namespace
 }  // namespace weavefront::test

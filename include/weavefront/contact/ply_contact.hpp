@@ -30,9 +30,9 @@ class PlyContact {
     /// @param x initial positions, m
     PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x);
 
-    /// Chooses the facets that may meet while no point moves by more than half of `skin` in x or y; to be called again then, or when
-    /// facets were eroded or ghosts changed.
-    void update_candidates(const Surface& surface, std::span<const Vec3> x, double skin);
+    /// Chooses the facets that may meet while no node is more than half of `skin` away from where it is expected in x or y; to be called
+    /// again then, or when facets were eroded or ghosts changed. @param x present positions, m
+    void update_candidates(const Surface& surface, const Whereabouts& expected, std::span<const Vec3> x, double skin);
 
     /// Appends the forces at the present positions.
     /// @param normals of the plies, at these positions

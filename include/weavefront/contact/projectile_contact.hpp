@@ -11,6 +11,7 @@
 #include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
+#include "weavefront/contact/whereabouts.hpp"
 
 namespace weavefront::contact {
 
@@ -28,8 +29,10 @@ class ProjectileContact {
     ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
                       const Surface& surface, std::span<const Vec3> x);
 
-    /// Chooses the owned facets whose footprint may come under the projectile while no point moves by more than half of `skin` across z.
-    void update_candidates(const Surface& surface, std::span<const Vec3> x, const ProjectileState& projectile, double skin);
+    /// Chooses the owned facets that may come under the projectile while no node, nor the projectile, is more than half of `skin` away from
+    /// where it is expected in x or y.
+    /// @param way footprint of the way of the projectile's nose
+    void update_candidates(const Surface& surface, const Whereabouts& expected, const Footprint& way, double skin);
 
     /// Appends the forces at the present positions.
     /// @param normals of the plies, at these positions

@@ -28,12 +28,4 @@ inline constexpr std::size_t energies_at_once = 8;
 [[nodiscard]] std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const parallel::FixedPoint& scale,
                                                                     std::size_t first, double step, double backward);
 
-/// Where nodes were across z, m. Single precision: some nanometres are nothing to the skin of a search.
-using Across = std::vector<std::array<float, 2>>;
-
-[[nodiscard]] Across across_of(std::span<const Vec3> positions);
-
-/// Whether a position differs from the one before by more than `limit` along x or y.
-[[nodiscard]] bool any_moved_across(std::span<const Vec3> now, const Across& before, double limit);
-
 }  // namespace weavefront::solver

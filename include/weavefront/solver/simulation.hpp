@@ -11,7 +11,6 @@
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/solver/balance.hpp"
 #include "weavefront/solver/model.hpp"
-#include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/phases.hpp"
 
 namespace weavefront::solver {
@@ -74,6 +73,7 @@ class Simulation {
     void hold_supports();
     void move_nodes();
     void update_candidates();
+    void let_debris_go();
     void note(const shell::Events& events);
     void count_contact_work(double dt);  // of half a step
     [[noreturn]] void stop_at_fault() const;
@@ -109,8 +109,7 @@ class Simulation {
     shell::AlignedVector<double> pack_forces_;
 
     bool candidates_outdated_ = true;
-    Across candidate_positions_;  // of the nodes when candidates were last chosen
-    Vec3 candidate_projectile_{0, 0, 0};
+    contact::Whereabouts expected_nodes_, expected_projectile_;  // until candidates are chosen again
     std::vector<std::int32_t> just_eroded_;
 
     parallel::FixedPoint energy_;

@@ -1,0 +1,65 @@
+#pragma once
+/// @file
+/// Where nodes and facets are expected, as seen along z, until the next search for what may meet.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "weavefront/contact/surface.hpp"
+
+namespace weavefront::contact {
+
+/// A rectangle in x and y, m; empty until it includes something.
+struct Footprint {
+    double x_low = std::numeric_limits<double>::max(), x_high = -x_low, y_low = x_low, y_high = -x_low;
+
+    void include(const Footprint& other) {
+        x_low = std::min(x_low, other.x_low), x_high = std::max(x_high, other.x_high);
+        y_low = std::min(y_low, other.y_low), y_high = std::max(y_high, other.y_high);
+    }
+    /// Whether `other` comes within `reach` of this one; never when this one is empty.
+    [[nodiscard]] bool near(const Footprint& other, double reach) const {
+        return other.x_low <= x_high + reach && other.x_high >= x_low - reach && other.y_low <= y_high + reach &&
+               other.y_high >= y_low - reach;
+    }
+};
+
+/// Footprints of nodes on their way ahead. Fragments that fly fast but straight stay in theirs, and ask for no search on the way. Single
+/// precision: some nanometres are nothing to the skin of a search.
+class Whereabouts {
+  public:
+    Whereabouts() = default;
+    /// @param v     velocities, m/s, that the nodes may keep
+    /// @param ahead for so long, s
+    Whereabouts(std::span<const Vec3> x, std::span<const Vec3> v, double ahead);
+    /// Nodes that stay where they are.
+    explicit Whereabouts(std::span<const Vec3> x) : Whereabouts(x, x, 0) {}
+
+    [[nodiscard]] bool empty() const { return corners_.empty(); }
+    [[nodiscard]] Footprint of_node(std::size_t node) const {
+        const auto& [x_low, y_low, x_high, y_high] = corners_[node];
+        return {x_low, x_high, y_low, y_high};
+    }
+    [[nodiscard]] Footprint of(const Facet& facet) const {
+        Footprint footprint;
+        for (const auto node : facet.nodes) footprint.include(of_node(static_cast<std::size_t>(node)));
+        return footprint;
+    }
+
+    /// From now on a node is expected everywhere.
+    void let_go(std::size_t node) {
+        constexpr auto far = std::numeric_limits<float>::max();
+        corners_[node] = {-far, -far, far, far};
+    }
+
+    /// Whether one of the first nodes is farther than `margin` from its footprint along x or y. @param x of these nodes, m
+    [[nodiscard]] bool any_left(std::span<const Vec3> x, double margin) const;
+
+  private:
+    std::vector<std::array<float, 4>> corners_;  ///< of each node's footprint: lower and upper one, m
+};
+
+}  // namespace weavefront::contact

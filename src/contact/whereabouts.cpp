@@ -1,16 +1,16 @@
 #include "weavefront/contact/whereabouts.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
 namespace weavefront::contact {
 
-Whereabouts::Whereabouts(std::span<const Vec3> x, std::span<const Vec3> v, double ahead) : corners_(x.size()) {
+Whereabouts::Whereabouts(std::span<const Vec3> x, std::span<const Vec3> v, double ahead) : middles_(x.size()), halves_(x.size()) {
     for (std::size_t n = 0; n < x.size(); ++n) {
-        const Vec3 then = x[n] + ahead * v[n];
-        const Vec3 low = x[n].cwiseMin(then), high = x[n].cwiseMax(then);
-        corners_[n] = {static_cast<float>(low.x()), static_cast<float>(low.y()), static_cast<float>(high.x()),
-                       static_cast<float>(high.y())};
+        const Vec3 way = ahead / 2 * v[n], middle = x[n] + way;
+        middles_[n] = {static_cast<float>(middle.x()), static_cast<float>(middle.y())};
+        halves_[n] = {static_cast<float>(std::abs(way.x())), static_cast<float>(std::abs(way.y()))};
     }
 }
 
@@ -18,17 +18,27 @@ bool Whereabouts::any_left(std::span<const Vec3> x, double margin) const {
     using Floats [[gnu::vector_size(16)]] = float;
     using TwoDoubles [[gnu::vector_size(16)]] = double;
     using Doubles [[gnu::vector_size(32)]] = double;
-    constexpr Doubles outwards{1, 1, -1, -1};
     using Bits [[gnu::vector_size(32)]] = std::int64_t;
+    const auto whole = x.size() / 2 * 2;
     Bits left{};
-    for (std::size_t n = 0; n < x.size(); ++n) {
-        Floats corners;
-        TwoDoubles at;
-        std::memcpy(&corners, corners_[n].data(), sizeof corners);
-        std::memcpy(&at, x[n].data(), sizeof at);
-        left |= (__builtin_convertvector(corners, Doubles) - __builtin_shufflevector(at, at, 0, 1, 0, 1)) * outwards > margin;
+    for (std::size_t n = 0; n < whole; n += 2) {
+        Floats middle, half;
+        TwoDoubles one, other;
+        std::memcpy(&middle, middles_[n].data(), sizeof middle);
+        std::memcpy(&half, halves_[n].data(), sizeof half);
+        std::memcpy(&one, x[n].data(), sizeof one);
+        std::memcpy(&other, x[n + 1].data(), sizeof other);
+        const Doubles way = __builtin_shufflevector(one, other, 0, 1, 2, 3) - __builtin_convertvector(middle, Doubles);
+        const auto size = reinterpret_cast<Doubles>(reinterpret_cast<Bits>(way) & std::int64_t{0x7fffffffffffffff});
+        left |= size - __builtin_convertvector(half, Doubles) > margin;
     }
-    return (left[0] | left[1] | left[2] | left[3]) != 0;
+    bool found = (left[0] | left[1] | left[2] | left[3]) != 0;
+    for (std::size_t n = whole; n < x.size(); ++n)
+        for (std::size_t d = 0; d < 2; ++d) {
+            const double way = x[n][static_cast<Eigen::Index>(d)] - static_cast<double>(middles_[n][d]);
+            found = found || std::abs(way) - static_cast<double>(halves_[n][d]) > margin;
+        }
+    return found;
 }
 
 }  // namespace weavefront::contact

@@ -38,10 +38,10 @@ class Whereabouts {
     /// Nodes that stay where they are.
     explicit Whereabouts(std::span<const Vec3> x) : Whereabouts(x, x, 0) {}
 
-    [[nodiscard]] bool empty() const { return corners_.empty(); }
+    [[nodiscard]] bool empty() const { return middles_.empty(); }
     [[nodiscard]] Footprint of_node(std::size_t node) const {
-        const auto& [x_low, y_low, x_high, y_high] = corners_[node];
-        return {x_low, x_high, y_low, y_high};
+        const double x = middles_[node][0], y = middles_[node][1], half_x = halves_[node][0], half_y = halves_[node][1];
+        return {x - half_x, x + half_x, y - half_y, y + half_y};
     }
     [[nodiscard]] Footprint of(const Facet& facet) const {
         Footprint footprint;
@@ -50,16 +50,13 @@ class Whereabouts {
     }
 
     /// From now on a node is expected everywhere.
-    void let_go(std::size_t node) {
-        constexpr auto far = std::numeric_limits<float>::max();
-        corners_[node] = {-far, -far, far, far};
-    }
+    void let_go(std::size_t node) { halves_[node].fill(std::numeric_limits<float>::max()); }
 
     /// Whether one of the first nodes is farther than `margin` from its footprint along x or y. @param x of these nodes, m
     [[nodiscard]] bool any_left(std::span<const Vec3> x, double margin) const;
 
   private:
-    std::vector<std::array<float, 4>> corners_;  ///< of each node's footprint: lower and upper one, m
+    std::vector<std::array<float, 2>> middles_, halves_;  ///< of the nodes' footprints, m
 };
 
 }  // namespace weavefront::contact

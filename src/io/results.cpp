@@ -1,13 +1,14 @@
 #include "weavefront/io/results.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
 #include "agreement.hpp"
 #include "frame_checks.hpp"
+#include "frame_publisher.hpp"
 #include "hdf5_collective.hpp"
-#include "publish_frame.hpp"
 #include "results_skeleton.hpp"
 #include "results_topology.hpp"
 #include "weavefront/io/block_exchange.hpp"
@@ -55,6 +56,8 @@ class Results::File {
         agreement.settle<FileError>();
         agreement.attempt([&] { open(); });
         agreement.settle<FileError>();
+        agreement.attempt_on_root([&] { publisher_.emplace(path_); });
+        agreement.settle<FileError>();
     }
 
     void write(const Frame& frame) {
@@ -67,7 +70,7 @@ class Results::File {
         write_arrays(frame, agreement);
         agreement.attempt([&] { flush(); });
         agreement.settle<FileError>();
-        agreement.attempt_on_root([&] { publish_frame(path_, frames_, frame.time); });
+        agreement.attempt_on_root([&] { publisher_->publish(frames_, frame.time); });
         agreement.settle<FileError>();
         ++frames_;
     }
@@ -152,6 +155,7 @@ class Results::File {
     H5File file_;
     H5Dataset points_, hidden_;
     std::vector<H5Dataset> point_data_, cell_data_;
+    std::optional<FramePublisher> publisher_;  // on the first rank
 };
 
 Results::Results(const ResultsSetup& setup, const parallel::Communicator& comm) : file_(std::make_unique<File>(setup, comm)) {}

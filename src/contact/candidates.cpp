@@ -81,7 +81,7 @@ class Bins {
 
 }  // namespace
 
-Candidates find_candidates(const Surface& surface, const Whereabouts& expected, double reach) {
+Candidates find_candidates(const Surface& surface, const Whereabouts& expected, std::span<const Vec3> x, double reach) {
     std::vector<Footprint> footprints;
     footprints.reserve(surface.facets.size());
     std::vector<std::vector<std::int32_t>> by_ply(surface.plies.size());
@@ -105,6 +105,8 @@ Candidates find_candidates(const Surface& surface, const Whereabouts& expected, 
         const bool same_side = (a < surface.owned) == (b < surface.owned);  // where local order is that of the ids
         return same_side ? a < b : id(a) < id(b);
     };
+    // Where debris may fly to is no hole yet.
+    const auto meets_now = [&](const Facet& a, const Facet& b) { return Footprint::of(a, x).near(Footprint::of(b, x), reach); };
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
         const auto& footprint = footprints[static_cast<std::size_t>(f)];
@@ -118,7 +120,7 @@ Candidates find_candidates(const Surface& surface, const Whereabouts& expected, 
                 if (surface.alive[static_cast<std::size_t>(other)])
                     candidates.add(other);
                 else
-                    look_behind = true;
+                    look_behind = look_behind || meets_now(facet, surface.facets[static_cast<std::size_t>(other)]);
             }
         }
         candidates.end_list();

@@ -26,18 +26,21 @@ TEST(Whereabouts, SeeOneNodeThatLeavesAcrossButNotAlong) {
 }
 
 TEST(Whereabouts, ReachAsFarAsANodeFliesAndNoFarther) {
-    const std::vector<Vec3> start{{1, 2, 3}}, v{{10, -20, 100}};
+    const std::vector<Vec3> start(3, Vec3(1, 2, 3)), v{{0, 0, 0}, {10, -20, 100}, {10, -20, 100}};
     const Whereabouts expected(start, v, 0.1);
-    const auto leaves = [&](double time, const Vec3& aside) {
-        const std::vector<Vec3> now{start[0] + time * v[0] + aside};
-        return expected.any_left(now, 0.05);
-    };
-    for (const double time : {0.0, 0.05, 0.1}) EXPECT_FALSE(leaves(time, {0, 0, 0})) << time;
-    EXPECT_TRUE(leaves(-0.01, {0, 0, 0}));
-    EXPECT_TRUE(leaves(0.11, {0, 0, 0}));
-    EXPECT_TRUE(leaves(0, {-0.06, 0, 0}));
-    EXPECT_FALSE(leaves(0, {-0.04, 0.04, 0}));
-    EXPECT_TRUE(leaves(0.1, {0, -0.06, 0}));
+    for (const std::size_t n : {1U, 2U}) {  // of two nodes looked at together, and alone
+        const auto leaves = [&](double time, const Vec3& aside) {
+            auto now = start;
+            now[n] += time * v[n] + aside;
+            return expected.any_left(now, 0.05);
+        };
+        for (const double time : {0.0, 0.05, 0.1}) EXPECT_FALSE(leaves(time, {0, 0, 0})) << time;
+        EXPECT_TRUE(leaves(-0.01, {0, 0, 0}));
+        EXPECT_TRUE(leaves(0.11, {0, 0, 0}));
+        EXPECT_TRUE(leaves(0, {-0.06, 0, 0}));
+        EXPECT_FALSE(leaves(0, {-0.04, 0.04, 0}));
+        EXPECT_TRUE(leaves(0.1, {0, -0.06, 0}));
+    }
 }
 
 TEST(Whereabouts, OfAFacetHoldAllItsNodes) {

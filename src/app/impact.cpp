@@ -97,12 +97,14 @@ class Impact::Parts {
         }
     }
 
+    /// Columns move when what may meet has been looked for anyhow, so that they do not change when that is.
     void rebalance() {
-        const auto better = load_->look(simulation_, comm_);
-        if (!better) return;
-        simulation_.redistribute(better->decomposition);
+        if (!better_) better_ = load_->look(simulation_, comm_);
+        if (!better_ || !simulation_.has_just_searched()) return;
+        simulation_.redistribute(better_->decomposition);
         results_.redistribute(topology_of(simulation_));
-        report_.rebalanced(simulation_, *better);
+        report_.rebalanced(simulation_, *better_);
+        better_.reset();
     }
 
     void write_row() {
@@ -147,6 +149,7 @@ class Impact::Parts {
     io::Results results_;
     Schedule rows_, frames_;
     std::optional<solver::LoadWatch> load_;
+    std::optional<solver::Rebalancing> better_;  // until it is taken up
     solver::Balance last_;
     std::int64_t balanced_ = 0;  // step
 };

@@ -117,6 +117,7 @@ void Simulation::integrate() {
         for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
         just_eroded_.clear();
     }
+    has_just_searched_ = candidates_outdated_ || expected_nodes_.empty();
     if (candidates_outdated_) update_candidates();
 }
 

@@ -5,21 +5,29 @@
 
 namespace weavefront::solver::test {
 
-// A ply slides over another by three facets before they touch; a corner flies off on its own. What may meet is looked for in time: forces
-// are those of a target for which it is looked for every other step.
+namespace {
+
+/// A ply slides over another by three facets before they touch; a corner flies off on its own.
+scene::Scene two_plies() { return scene_with({"target.plies.count=2", "projectile=", "contact={plies: {}, spacing: 0.5 mm}"}); }
+
+void slide(Simulation& simulation) {
+    const double last = simulation.model().nodes.initial.heights.back();
+    set_motion(
+        simulation, [](const Vec3& x) { return x; },
+        [&](const Vec3& x) {
+            if (x.x() > 11.9e-3 && x.y() > 11.9e-3) return Vec3(900, -700, 0);
+            return x.z() == last ? Vec3(400, 150, -7) : Vec3(0, 0, 0);
+        });
+}
+
+}  // namespace
+
+// Forces are those of a target for which what may meet is looked for every other step.
 TEST(Search, ComesInTime) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto scene = scene_with({"target.plies.count=2", "projectile=", "contact={plies: {}, spacing: 0.5 mm}"});
+    const auto scene = two_plies();
     Simulation sparing(scene, comm), eager(scene, comm);
-    for (auto* simulation : {&sparing, &eager}) {
-        const double last = simulation->model().nodes.initial.heights.back();
-        set_motion(
-            *simulation, [](const Vec3& x) { return x; },
-            [&](const Vec3& x) {
-                if (x.x() > 11.9e-3 && x.y() > 11.9e-3) return Vec3(900, -700, 0);
-                return x.z() == last ? Vec3(400, 150, -7) : Vec3(0, 0, 0);
-            });
-    }
+    slide(sparing), slide(eager);
     partition::Decomposition columns{comm.size(), {}};
     for (std::int64_t c = 0; c < eager.panel().columns(); ++c) columns.owner.push_back(static_cast<std::int32_t>(c % comm.size()));
     double most = 0;
@@ -37,6 +45,23 @@ TEST(Search, ComesInTime) {
         if (steps % 2 == 0) eager.redistribute(columns);
     }
     EXPECT_GT(most, 0);
+}
+
+TEST(Search, IsToldOf) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const auto scene = two_plies(), without_contact = scene_with({"projectile=", "contact="});
+    Simulation sliding(scene, comm), alone(without_contact, comm);
+    slide(sliding);
+    std::int64_t told = 0;
+    const auto before = sliding.counts().searches;
+    while (sliding.time() < 10e-6) {
+        advance(sliding, 1);
+        advance(alone, 1);
+        told += sliding.has_just_searched() ? 1 : 0;
+        EXPECT_TRUE(alone.has_just_searched());
+    }
+    EXPECT_GT(told, 0);
+    EXPECT_EQ(told, sliding.counts().searches - before);
 }
 
 }  // namespace weavefront::solver::test

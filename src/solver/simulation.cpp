@@ -271,7 +271,7 @@ bool Simulation::moved_far() const {
     if (expected_nodes_.empty()) return false;
     const double margin = model_.smallest_edge * skin_in_edges * (0.5 - kept_of_skin);
     return expected_nodes_.any_left(model_.nodes.own_x(), margin) ||
-           (model_.projectile && expected_projectile_.any_left({&model_.projectile->position, 1}, margin));
+           (model_.projectile_contact && expected_projectile_.any_left({&model_.projectile->position, 1}, margin));
 }
 
 void Simulation::update_candidates() {

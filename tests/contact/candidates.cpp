@@ -72,6 +72,22 @@ TEST(Candidates, AreThoseThatTryingAllFinds) {
     }
 }
 
+// An eroded facet of the second ply flies towards where the first may look through its hole; a whole one of the third lies there.
+TEST(Candidates, LookThroughHolesWhereDebrisLiesNow) {
+    Plies plies;
+    for (int ply = 0; ply < 3; ++ply) plies.add(1, {}, [&](double u, double v) { return Vec3(u + (ply == 1 ? 2 : 0), v, ply); });
+    plies.surface.alive[1] = 0;
+    Positions v(plies.x.size(), Vec3::Zero());
+    for (const auto node : plies.surface.facets[1].nodes) v[static_cast<std::size_t>(node)] = Vec3(-1.5, 0, 0);
+    const auto found = [&] { return !contact::find_candidates(plies.surface, Whereabouts(plies.x, v, 1), plies.x, 0.1).of(0).empty(); };
+    EXPECT_FALSE(found());
+    for (const auto node : plies.surface.facets[1].nodes) plies.x[static_cast<std::size_t>(node)].x() -= 1.5;
+    EXPECT_TRUE(found());
+    plies.surface.alive[1] = 1;  // a whole one is a candidate as soon as it may come
+    for (const auto node : plies.surface.facets[1].nodes) plies.x[static_cast<std::size_t>(node)].x() += 1.5;
+    EXPECT_TRUE(found());
+}
+
 TEST(Candidates, DoNotDependOnWhichFacetsAreGhosts) {
     std::mt19937_64 random(10);
     const auto plies = random_plies(random, 1);

@@ -97,14 +97,12 @@ class Impact::Parts {
         }
     }
 
-    /// Columns move when what may meet has been looked for anyhow, so that they do not change when that is.
     void rebalance() {
-        if (!better_) better_ = load_->look(simulation_, comm_);
-        if (!better_ || !simulation_.has_just_searched()) return;
-        simulation_.redistribute(better_->decomposition);
+        const auto better = load_->look(simulation_, comm_);
+        if (!better) return;
+        simulation_.redistribute(better->decomposition);
         results_.redistribute(topology_of(simulation_));
-        report_.rebalanced(simulation_, *better_);
-        better_.reset();
+        report_.rebalanced(simulation_, *better);
     }
 
     void write_row() {
@@ -149,7 +147,6 @@ class Impact::Parts {
     io::Results results_;
     Schedule rows_, frames_;
     std::optional<solver::LoadWatch> load_;
-    std::optional<solver::Rebalancing> better_;  // until it is taken up
     solver::Balance last_;
     std::int64_t balanced_ = 0;  // step
 };

@@ -60,9 +60,7 @@ class Bins {
     }
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const { return static_cast<std::size_t>(j * nx_ + i); }
     // Fragments can fly far: past 4096 bins a side the last bin takes the rest.
-    [[nodiscard]] std::int64_t count(double extent) const {
-        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::min(extent / size_, 4096.0)) + 1, 1, 4096);
-    }
+    [[nodiscard]] std::int64_t count(double extent) const { return static_cast<std::int64_t>(std::clamp(extent / size_, 0.0, 4095.0)) + 1; }
     [[nodiscard]] std::int64_t along(double offset, std::int64_t n) const {
         return static_cast<std::int64_t>(std::clamp(offset / size_, 0.0, static_cast<double>(n - 1)));
     }
@@ -81,19 +79,19 @@ class Bins {
 
 }  // namespace
 
-Candidates find_candidates(const Surface& surface, const Whereabouts& expected, std::span<const Vec3> x, double reach) {
-    std::vector<Footprint> footprints;
-    footprints.reserve(surface.facets.size());
+Candidates find_candidates(const Surface& surface, const Whereabouts& expected, double reach) {
+    std::vector<Footprint> footprints(surface.facets.size());
     std::vector<std::vector<std::int32_t>> by_ply(surface.plies.size());
-    double size = reach;
+    double sum = 0, alive = 0;
     for (std::size_t f = 0; f < surface.facets.size(); ++f) {
-        footprints.push_back(expected.of(surface.facets[f]));
+        if (!surface.alive[f]) continue;
+        auto& one = footprints[f] = expected.of(surface.facets[f]);
         by_ply[static_cast<std::size_t>(surface.facets[f].ply)].push_back(static_cast<std::int32_t>(f));
+        sum += std::max(one.x_high - one.x_low, one.y_high - one.y_low);
+        ++alive;
     }
     // Bins of about the mean facet size keep the lists short on graded meshes.
-    double mean = 0;
-    for (const auto& one : footprints) mean += std::max(one.x_high - one.x_low, one.y_high - one.y_low);
-    if (!footprints.empty()) size = std::max(size, mean / static_cast<double>(footprints.size()));
+    const double size = std::max(reach, sum / std::max(alive, 1.0));
     std::vector<Bins> bins;
     for (const auto& facets : by_ply) bins.emplace_back(footprints, facets, size);
 
@@ -105,8 +103,7 @@ Candidates find_candidates(const Surface& surface, const Whereabouts& expected, 
         const bool same_side = (a < surface.owned) == (b < surface.owned);  // where local order is that of the ids
         return same_side ? a < b : id(a) < id(b);
     };
-    // Where debris may fly to is no hole yet.
-    const auto meets_now = [&](const Facet& a, const Facet& b) { return Footprint::of(a, x).near(Footprint::of(b, x), reach); };
+    const auto on_rim = [&](std::int32_t f) { return !surface.on_rim.empty() && surface.on_rim[static_cast<std::size_t>(f)] != 0; };
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
         const auto& footprint = footprints[static_cast<std::size_t>(f)];
@@ -115,13 +112,8 @@ Candidates find_candidates(const Surface& surface, const Whereabouts& expected, 
             found.clear();
             bins[ply].find(footprint, reach, [&](std::int32_t other) { found.push_back(other); });
             std::ranges::sort(found, by_id);
-            look_behind = false;
-            for (const auto other : found) {
-                if (surface.alive[static_cast<std::size_t>(other)])
-                    candidates.add(other);
-                else
-                    look_behind = look_behind || meets_now(facet, surface.facets[static_cast<std::size_t>(other)]);
-            }
+            for (const auto other : found) candidates.add(other);
+            look_behind = found.empty() || std::ranges::any_of(found, on_rim);
         }
         candidates.end_list();
     }

@@ -11,15 +11,35 @@ void NearFacets::start(const Facet& facet, const std::array<Vec3, 4>& corners) {
     normal_ = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
     front_ = 0;
     for (const auto& corner : corners) front_ = std::max(front_, (corner - centre_).dot(normal_));
+    box_ = Box::around(corners);
+}
+
+bool NearFacets::is_over(const Box& box, double reach) const {
+    return box.low.x() <= box_.high.x() + reach && box.high.x() >= box_.low.x() - reach && box.low.y() <= box_.high.y() + reach &&
+           box.high.y() >= box_.low.y() - reach;
 }
 
 void NearFacets::add(const FacetRuns& candidates, FacetLines& lines, const Surface& surface, const Touching& touching,
                      std::span<const Vec3> x) {
     const auto known = static_cast<std::ptrdiff_t>(near_.size());
     const auto sooner = [](const Near& l, const Near& r) { return l.ply != r.ply ? l.ply < r.ply : l.apart < r.apart; };
+    std::int32_t ply = ply_ + 1;
+    bool covered = false, on_rim = false;  // the facet at hand, by this ply; part of that by a rim
     for (const auto candidate : candidates) {
-        const auto& facet = surface.facets[static_cast<std::size_t>(candidate)];
-        if (!surface.alive[static_cast<std::size_t>(candidate)] || !lines.reach(Box::around(facet, x))) continue;
+        const auto at = static_cast<std::size_t>(candidate);
+        const auto& facet = surface.facets[at];
+        if (!surface.alive[at]) continue;
+        if (facet.ply != ply) {
+            if (covered && !on_rim) break;
+            ply = facet.ply;
+            covered = on_rim = false;
+        }
+        const auto box = Box::around(facet, x);
+        if (!surface.on_rim.empty() && is_over(box, touching.depth())) {
+            covered = true;
+            on_rim = on_rim || surface.on_rim[at] != 0;
+        }
+        if (!lines.reach(box)) continue;
         if (known > 0 && near_.front().facet == candidate) continue;
         // Seen along the normal of the facet at hand the other must not lie wholly ahead of its foremost corner; a line at a slant only
         // meets it later.

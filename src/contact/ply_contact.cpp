@@ -67,7 +67,7 @@ PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spaci
 
 void PlyContact::update_candidates(const Surface& surface, const Whereabouts& expected, std::span<const Vec3> x, double skin) {
     candidates_ = {};  // before others take room
-    candidates_ = find_candidates(surface, expected, x, touching_.depth() + skin);
+    candidates_ = find_candidates(surface, expected, touching_.depth() + skin);
     approach_.rebuild(surface, candidates_, x);
     for (std::int32_t g = 0; g < approach_.groups(); ++g)
         for (std::size_t k = 0; k < watches(g).size(); ++k) {

@@ -15,7 +15,7 @@ namespace {
 struct FacetMessage {
     std::int64_t id;
     std::array<std::int64_t, 4> nodes;  ///< global
-    std::int32_t ply, alive;
+    std::int32_t ply, on_rim;
 };
 
 /// A node as it travels; the same from every rank that sends it, but for its place in this one's memory.
@@ -74,17 +74,16 @@ struct Outgoing {
     ByRank<NodeMessage> nodes;
 };
 
-/// Footprints of the facets of other ranks that are not eroded and may be near this one's. @param of owned facets
-ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double reach, const contact::Surface& surface,
-                                    const std::vector<Footprint>& of) {
+/// Footprints of other ranks' alive facets that may be near this one's. @param of this one's
+ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double reach, const std::vector<Footprint>& of) {
     Footprint mine;
     for (const auto& footprint : of) mine.include(footprint);
     ByRank<Footprint> outgoing(static_cast<std::size_t>(comm.size()));
     const auto theirs = parallel::all_gather(comm, mine);
     for (std::size_t r = 0; r < theirs.size(); ++r) {
         if (static_cast<int>(r) == comm.rank() || !theirs[r].near(mine, reach)) continue;
-        for (std::size_t f = 0; f < of.size(); ++f)
-            if (surface.alive[f] && theirs[r].near(of[f], reach)) outgoing[r].push_back(of[f]);
+        for (const auto& footprint : of)
+            if (theirs[r].near(footprint, reach)) outgoing[r].push_back(footprint);
     }
     return parallel::all_to_all(comm, outgoing);
 }
@@ -92,19 +91,25 @@ ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double r
 Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
                 const contact::Surface& surface, const Nodes& nodes) {
     const auto ranks = static_cast<std::size_t>(comm.size());
+    std::vector<std::size_t> alive;
     std::vector<Footprint> footprints;
-    for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f) footprints.push_back(expected.of(surface.facets[f]));
-    auto around = footprints_around(comm, reach, surface, footprints);
+    for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f) {
+        if (!surface.alive[f]) continue;
+        alive.push_back(f);
+        footprints.push_back(expected.of(surface.facets[f]));
+    }
+    auto around = footprints_around(comm, reach, footprints);
     const auto owner = owners(plan, comm.rank());
     Outgoing out{ByRank<FacetMessage>(ranks), ByRank<NodeMessage>(ranks)};
     std::vector<std::size_t> told(owner.size(), ranks);
     for (std::size_t r = 0; r < ranks; ++r) {
         if (around[r].empty()) continue;
         const FootprintBins bins(std::move(around[r]), reach);
-        for (std::size_t f = 0; f < footprints.size(); ++f) {
-            if (!bins.near(footprints[f])) continue;
-            const auto& facet = surface.facets[f];
-            auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, surface.alive[f]});
+        for (std::size_t k = 0; k < alive.size(); ++k) {
+            if (!bins.near(footprints[k])) continue;
+            const auto& facet = surface.facets[alive[k]];
+            const bool on_rim = !surface.on_rim.empty() && surface.on_rim[alive[k]];
+            auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, on_rim});
             for (std::size_t a = 0; a < 4; ++a) {
                 const auto n = static_cast<std::size_t>(facet.nodes[a]);
                 message.nodes[a] = nodes.ids[n];
@@ -147,12 +152,15 @@ ByRank<std::int64_t> take_in(const ByRank<NodeMessage>& incoming, Places& places
 void take_in_facets(const ByRank<FacetMessage>& incoming, const Places& places, contact::Surface& surface) {
     surface.facets.resize(static_cast<std::size_t>(surface.owned));
     surface.alive.resize(static_cast<std::size_t>(surface.owned));
+    const bool has_rims = !surface.on_rim.empty();
+    if (has_rims) surface.on_rim.resize(static_cast<std::size_t>(surface.owned));
     for (const auto& messages : incoming)
         for (const auto& message : messages) {
             contact::Facet facet{message.id, {}, message.ply};
             for (std::size_t a = 0; a < 4; ++a) facet.nodes[a] = places.of(message.nodes[a]);
             surface.facets.push_back(facet);
-            surface.alive.push_back(static_cast<std::uint8_t>(message.alive));
+            surface.alive.push_back(1);
+            if (has_rims) surface.on_rim.push_back(static_cast<std::uint8_t>(message.on_rim));
         }
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "rim.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/redistribution.hpp"
@@ -117,7 +118,6 @@ void Simulation::integrate() {
         for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
         just_eroded_.clear();
     }
-    has_just_searched_ = candidates_outdated_ || expected_nodes_.empty();
     if (candidates_outdated_) update_candidates();
 }
 
@@ -198,6 +198,7 @@ void Simulation::sum_over_ranks() {
     comm_.sum(sums);
     model_.exchange.finish(model_.nodes.force);
     projectile_force_ = whole_force({sums[0], sums[1], sums[2]});
+    torn_ = torn_ || sums[3] > 0;
     candidates_outdated_ = sums[3] > 0 || sums[4] > 0;
     if (sums[5] > 0) stop_at_fault();
 }
@@ -282,6 +283,7 @@ void Simulation::update_candidates() {
     const double skin = skin_in_edges * model_.smallest_edge, ahead = steps_ahead * dt_;
     auto& nodes = model_.nodes;
     expected_nodes_ = contact::Whereabouts(nodes.x, nodes.v, ahead);
+    if (torn_ && model_.ply_contact) find_rims(comm_, model_.halo, model_.surface);
     const double reach = ghost_reach(scene_, panel_);
     if (reach > 0) {
         if (comm_.size() > 1) {

@@ -15,7 +15,7 @@ struct TwoPlies : Plies {
     TwoPlies() {
         add(12, {}, flat(side, 0));
         add(9, {}, flat(side, gap));
-        candidates = contact::find_candidates(surface, contact::Whereabouts(x), x, side / 4);
+        candidates = contact::find_candidates(surface, contact::Whereabouts(x), side / 4);
     }
     contact::Candidates candidates;
 };

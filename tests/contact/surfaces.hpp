@@ -29,6 +29,21 @@ struct Plies {
         return normals;
     }
 
+    /// Takes facets out, which leaves holes with rims.
+    template <class Which>
+    void erode(Which which) {
+        std::vector<bool> lost(x.size(), false);
+        for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+            if (which(f)) surface.alive[f] = 0;
+            if (surface.alive[f]) continue;
+            for (const auto node : surface.facets[f].nodes) lost[static_cast<std::size_t>(node)] = true;
+        }
+        surface.on_rim.assign(surface.facets.size(), 0);
+        for (std::size_t f = 0; f < surface.facets.size(); ++f)
+            for (const auto node : surface.facets[f].nodes)
+                if (surface.alive[f] && lost[static_cast<std::size_t>(node)]) surface.on_rim[f] = 1;
+    }
+
     /// Appends a ply of n x n facets. Areas are those of the shape.
     void add(int n, const contact::PlyProperties& properties, const Shape& shape) {
         const auto ply = static_cast<std::int32_t>(surface.plies.size());

@@ -21,7 +21,9 @@ class NearFacets {
     /// Starts with none, for another facet at hand. @param corners of the facet, m
     void start(const Facet& facet, const std::array<Vec3, 4>& corners);
 
-    /// Adds what of some candidates its lines may touch. The one that is there already stays the first.
+    /// Adds what of some candidates its lines may touch. The one that is there already stays the first. A ply hides those behind it where
+    /// it comes within the touching depth, as seen along z, and none of its facets there is on a rim: what was near a rim at the time of
+    /// the search for candidates does not matter.
     void add(const FacetRuns& candidates, FacetLines& lines, const Surface& surface, const Touching& touching, std::span<const Vec3> x);
 
     [[nodiscard]] std::size_t size() const { return near_.size(); }
@@ -32,8 +34,11 @@ class NearFacets {
         std::int32_t facet, ply;
         double apart;  ///< of the centres, m2
     };
+    [[nodiscard]] bool is_over(const Box& box, double reach) const;
+
     std::int32_t ply_ = 0;
     Vec3 centre_, normal_;
+    Box box_;
     double front_ = 0;  ///< of the facet's foremost corner along its normal, m
     std::vector<Near> near_;
 };

@@ -37,8 +37,10 @@ struct PlyProperties {
 struct Surface {
     std::vector<Facet> facets;        ///< owned ones first
     std::vector<std::uint8_t> alive;  ///< of each facet
-    std::int32_t owned = 0;           ///< number of owned facets
-    mesh::Repeated<double> areas;     ///< initial areas of the owned facets, m2: these repeat as the initial shapes do
+    /// Of each facet: it has lost a neighbour, one that shared a node with it. None where all facets are alive.
+    std::vector<std::uint8_t> on_rim;
+    std::int32_t owned = 0;        ///< number of owned facets
+    mesh::Repeated<double> areas;  ///< initial areas of the owned facets, m2: these repeat as the initial shapes do
     std::vector<PlyProperties> plies;
     std::array<bool, 2> symmetry{};  ///< the plane x = 0 (y = 0) is one of symmetry
 };

@@ -16,11 +16,6 @@ namespace weavefront::contact {
 struct Footprint {
     double x_low = std::numeric_limits<double>::max(), x_high = -x_low, y_low = x_low, y_high = -x_low;
 
-    /// Of a facet at present. @param x positions, m
-    static Footprint of(const Facet& facet, std::span<const Vec3> x) {
-        const auto box = Box::around(facet, x);
-        return {box.low.x(), box.high.x(), box.low.y(), box.high.y()};
-    }
     void include(const Footprint& other) {
         x_low = std::min(x_low, other.x_low), x_high = std::max(x_high, other.x_high);
         y_low = std::min(y_low, other.y_low), y_high = std::max(y_high, other.y_high);

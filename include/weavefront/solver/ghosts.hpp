@@ -17,12 +17,11 @@ using ForceExchange = parallel::Exchange<FixedVector>;
 /// Over the nodes that ranks share, without ghosts.
 ForceExchange halo_exchange(const partition::HaloPlan& plan);
 
-/// Rebuilds the ghost layer: the facets of other ranks whose footprint comes within `reach` of that of one of this rank's, in any ply and
-/// is not eroded; eroded ghosts tell where there are holes. Facets that share a node with this rank's are among them, so its nodal normals
-/// are complete.
+/// Rebuilds the ghost layer: the facets of other ranks that are not eroded and whose footprint comes within `reach` of that of one of this
+/// rank's, in any ply. Facets that share a node with this rank's are among them, so its nodal normals are complete.
 /// @param expected where this rank's nodes are until the next rebuild
 /// @param reach    distance up to which facets may matter until then, m
-/// @param surface  owned facets stand, ghosts are replaced
+/// @param surface  owned facets stand, with their rims; ghosts are replaced
 /// @param nodes    ghosts are replaced by the new ones, complete but for the force
 /// @return         the exchange over shared nodes and ghosts
 /// @note Collective

@@ -44,11 +44,8 @@ class Simulation {
     /// Velocities, positions, contact work, erosion; ghosts when what may meet has to be looked for anew.
     void integrate();
 
-    /// Goes on with other columns on this rank; between integrate and advance_forces. Looks for what may meet; where debris has flown far
-    /// from its hole, the time of that may matter to what it touches.
+    /// Goes on with other columns on this rank, without changing a bit; between integrate and advance_forces.
     void redistribute(const partition::Decomposition& decomposition);
-    /// Whether `integrate` has looked for what may meet, or nothing may: `redistribute` then leaves every bit as it would be.
-    [[nodiscard]] bool has_just_searched() const { return has_just_searched_; }
 
     /// Energies and motion now; between advance_forces and integrate. @note Collective
     [[nodiscard]] Balance balance();
@@ -111,7 +108,8 @@ class Simulation {
     std::vector<contact::PairForce> pairs_;
     shell::AlignedVector<double> pack_forces_;
 
-    bool candidates_outdated_ = true, has_just_searched_ = true;
+    bool candidates_outdated_ = true;
+    bool torn_ = false;                                          // whether an element of any rank has been eroded
     contact::Whereabouts expected_nodes_, expected_projectile_;  // until candidates are chosen again
     std::vector<std::int32_t> just_eroded_;
 

@@ -49,8 +49,9 @@ std::vector<std::vector<std::int32_t>> shares(const scene::Scene& scene, const m
 
 Decomposition decompose_for_run(const scene::Scene& scene, const mesh::Panel& panel, int parts, double ghost_reach) {
     auto best = decompose(panel, column_costs(panel, scene), parts);
+    if (parts == 1 || parts > most_parts_with_rings) return best;
     const auto sets = shares(scene, panel, parts <= few_parts ? rings_of_few : rings_of_many);
-    if (parts == 1 || parts > most_parts_with_rings || sets.size() == 1) return best;
+    if (sets.size() == 1) return best;
     const auto seconds_of = [&](const Decomposition& decomposition) {
         return forecast(scene, panel, decomposition, ghost_reach, committed_machine()).seconds;
     };

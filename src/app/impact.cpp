@@ -72,7 +72,11 @@ class Impact::Parts {
         } catch (const io::NotFinite& refused) {
             stopped = refused.what();
         }
-        if (stopped) write_frame();
+        try {
+            if (stopped) write_frame();
+        } catch (const io::NotFinite& refused) {
+            *stopped += std::string("; ") + refused.what();
+        }
         progress.finish();
         report_.finish(simulation_, last_, stopped, directory_);
         if (stopped) throw GuardStop(*stopped);
@@ -152,8 +156,11 @@ class Impact::Parts {
 };
 
 Impact::Impact(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm, io::Terminal terminal,
-               std::optional<double> rebalance)
-    : parts_(std::make_unique<Parts>(scene, directory, comm, terminal, rebalance)) {}
+               std::optional<double> rebalance) try
+    : parts_(std::make_unique<Parts>(scene, directory, comm, terminal, rebalance)) {
+} catch (const solver::GuardStop& stop) {
+    throw GuardStop(stop.what());
+}
 
 Impact::~Impact() = default;
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "weavefront/parallel/communicator.hpp"
+
 namespace weavefront::app {
 
 /// Bytes that a run takes at the most, on all ranks together: 600 an element, as measured on the large panel of examples/large_panel, whose
@@ -17,7 +19,8 @@ double memory_here();
 /// In MB, or in GB from 1 GB on.
 std::string bytes_text(double bytes);
 
-/// @throws std::runtime_error when the share of one of the ranks alone is more than this machine has
-void require_memory(std::int64_t elements, int ranks);
+/// @throws std::runtime_error on all ranks when the share of one of them alone is more than its machine has
+/// @note Collective
+void require_memory(std::int64_t elements, const parallel::Communicator& comm);
 
 }  // namespace weavefront::app

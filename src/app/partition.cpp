@@ -65,11 +65,11 @@ void measure(const Options& options, const scene::Scene& scene, const parallel::
     for (std::size_t i = 0; i < ranks.size(); ++i) {
         if (ranks[i] > comm.size()) continue;
         const auto scaled = scaled_scene(scene, options.weak, ranks[i], ranks.front());
-        if (const auto some = first_ranks(comm, ranks[i])) {
+        const auto some = first_ranks(comm, ranks[i]);
+        compute_apart(comm, some.has_value(), [&] {
             const auto steps = repeat_steps(scaled, *some, *some, options.repetitions);
             if (comm.rank() == 0) rows[i].measured = steps.times.mean(), rows[i].pace = steps.pace / machine.pace;
-        }
-        sleep_until_all_arrive(comm);
+        });
     }
 }
 

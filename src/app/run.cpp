@@ -30,7 +30,7 @@ void run(const Options& options) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const auto scene = read_on_root(options, comm);
     require_columns(scene, comm.size());
-    require_memory(mesh::make_panel(scene).elements(), comm.size());
+    require_memory(mesh::make_panel(scene).elements(), comm);
     const auto directory = options.output.empty() ? std::filesystem::path("runs") / options.scene.stem() : options.output;
     const io::OutputDirectory kept(directory, comm);
     Impact(scene, directory, comm, io::Terminal::shown, options.rebalance).to_the_end();

@@ -103,7 +103,7 @@ Candidates find_candidates(const Surface& surface, const Whereabouts& expected, 
         const bool same_side = (a < surface.owned) == (b < surface.owned);  // where local order is that of the ids
         return same_side ? a < b : id(a) < id(b);
     };
-    const auto on_rim = [&](std::int32_t f) { return !surface.on_rim.empty() && surface.on_rim[static_cast<std::size_t>(f)] != 0; };
+    const auto on_rim = [&](std::int32_t f) { return surface.on_rim[static_cast<std::size_t>(f)] != 0; };
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
         const auto& footprint = footprints[static_cast<std::size_t>(f)];
@@ -113,7 +113,7 @@ Candidates find_candidates(const Surface& surface, const Whereabouts& expected, 
             bins[ply].find(footprint, reach, [&](std::int32_t other) { found.push_back(other); });
             std::ranges::sort(found, by_id);
             for (const auto other : found) candidates.add(other);
-            look_behind = found.empty() || std::ranges::any_of(found, on_rim);
+            look_behind = !surface.on_rim.empty() && (found.empty() || std::ranges::any_of(found, on_rim));
         }
         candidates.end_list();
     }

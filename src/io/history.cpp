@@ -88,12 +88,19 @@ class History::File {
         line += '\n';
         for (std::size_t done = 0; done < line.size();) {
             const auto wrote = ::write(descriptor_, line.data() + done, line.size() - done);
-            if (wrote < 0 && errno != EINTR) fail("written");
+            if (wrote < 0 && errno != EINTR) take_back(done), fail("written");
             if (wrote > 0) done += static_cast<std::size_t>(wrote);
         }
     }
 
   private:
+    /// Takes part of a line off the end again, and leaves errno as it is.
+    void take_back(std::size_t part) const {
+        const int cause = errno;
+        const auto end = ::lseek(descriptor_, 0, SEEK_END);
+        if (part > 0 && end >= 0 && ::ftruncate(descriptor_, end - static_cast<off_t>(part)) != 0) fail("cut back to whole lines");
+        errno = cause;
+    }
     [[noreturn]] void fail(const char* action) const {
         throw FileError(path_ + " cannot be " + action + ": " + std::generic_category().message(errno));
     }

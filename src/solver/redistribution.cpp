@@ -54,15 +54,20 @@ std::span<const double> take_record(std::span<const double> records, Model& mode
 
 Model redistribute(const scene::Scene& scene, const mesh::Panel& panel, const partition::Decomposition& decomposition, const Model& model,
                    const parallel::Communicator& comm) {
+    auto next = build_model(scene, panel, decomposition, comm);
+    next.projectile = model.projectile;
     std::vector<std::vector<double>> leaving(static_cast<std::size_t>(comm.size()));
     for (std::int32_t e = 0; e < model.surface.owned; ++e) {
         const auto column = static_cast<std::size_t>(model.global.element_ids[static_cast<std::size_t>(e)] % panel.columns());
         const auto record = record_of(model, e);
-        auto& to = leaving[static_cast<std::size_t>(decomposition.owner[column])];
+        const auto owner = decomposition.owner[column];
+        if (owner == comm.rank()) {
+            take_record(record, next);
+            continue;
+        }
+        auto& to = leaving[static_cast<std::size_t>(owner)];
         to.insert(to.end(), record.begin(), record.end());
     }
-    auto next = build_model(scene, panel, decomposition, comm);
-    next.projectile = model.projectile;
     for (const auto& arriving : parallel::all_to_all(comm, leaving))
         for (std::span<const double> rest = arriving; !rest.empty();) rest = take_record(rest, next);
     return next;

@@ -2,13 +2,14 @@
 /// @file
 /// Rims of the holes in the plies.
 
-#include "weavefront/contact/surface.hpp"
+#include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/communicator.hpp"
-#include "weavefront/partition/halo_plan.hpp"
+#include "weavefront/solver/model.hpp"
 
 namespace weavefront::solver {
 
-/// Finds which of the rank's own facets are on the rim of a hole; ghosts bring it with them. @note Collective
-void find_rims(const parallel::Communicator& comm, const partition::HaloPlan& plan, contact::Surface& surface);
+/// Finds which of the rank's own facets are on the rim of a hole, or on an edge of their ply that may move; ghosts bring it with them.
+/// @note Collective
+void find_rims(const parallel::Communicator& comm, const mesh::Panel& panel, Model& model);
 
 }  // namespace weavefront::solver

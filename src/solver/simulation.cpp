@@ -151,13 +151,20 @@ void Simulation::note(const shell::Events& events) {
         auto& first = counts_.first_break[static_cast<std::size_t>(model_.surface.facets[static_cast<std::size_t>(element)].ply)];
         first = std::min(first, time_);
     }
-    for (const double lost : events.lost_hourglass) eroded_hourglass_ += energy_.from(lost);
+    for (const double lost : events.lost_hourglass) add_energy(eroded_hourglass_, lost);
     for (const auto& erosion : events.eroded) {
         just_eroded_.push_back(erosion.element);
-        eroded_work_ += energy_.from(erosion.work);
-        eroded_friction_ += energy_.from(erosion.friction);
-        eroded_hourglass_ += energy_.from(erosion.hourglass);
+        add_energy(eroded_work_, erosion.work);
+        add_energy(eroded_friction_, erosion.friction);
+        add_energy(eroded_hourglass_, erosion.hourglass);
     }
+}
+
+void Simulation::add_energy(std::int64_t& sum, double energy) {
+    if (energy_.fits(energy))
+        sum += energy_.from(energy);
+    else
+        faulty_energy_ = true;
 }
 
 void Simulation::evaluate_contact() {
@@ -183,15 +190,14 @@ void Simulation::count_contact_work(double dt) {
             power += pair.on_slave[a].dot(v[static_cast<std::size_t>(pair.slave[a])]);
             if (pair.kind == contact::Master::facet) power += pair.on_master[a].dot(v[static_cast<std::size_t>(pair.master[a])]);
         }
-        const double work = -power * dt / 2;
-        if (energy_.fits(work)) contact_work_ += energy_.from(work);
+        add_energy(contact_work_, -power * dt / 2);
     }
 }
 
 void Simulation::sum_over_ranks() {
     const Timed timed(seconds_, Phase::halo);
     model_.exchange.start(comm_, model_.nodes.force);
-    const bool faulty = model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact();
+    const bool faulty = model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || faulty_energy_;
     std::array<std::int64_t, 6> sums{on_projectile_[0],   on_projectile_[1],
                                      on_projectile_[2],   static_cast<std::int64_t>(just_eroded_.size()),
                                      moved_far() ? 1 : 0, faulty ? 1 : 0};
@@ -209,7 +215,7 @@ void Simulation::stop_at_fault() const {
     std::int64_t element = local < 0 ? none : model_.global.element_ids[static_cast<std::size_t>(local)];
     comm_.min({&element, 1});
     const auto limit = 1024 * model_.assembly.scale().quantum() * 0x1p44;
-    const auto where = element == none ? std::string("a contact point") : place_of(panel_, element);
+    const auto where = element == none ? std::string("a contact point or a breaking element") : place_of(panel_, element);
     throw GuardStop(
         fmt::format("the force of {} is not finite or above {:.3g} N at t = {:.6g} us, step {}: the deformation has become unstable; "
                     "try a smaller time.safety",
@@ -252,7 +258,7 @@ void Simulation::move_nodes() {
     if (scene_.damping > 0) {
         for (std::size_t n = 0; n < nodes.x.size(); ++n) {
             const Vec3 next = next_velocity(n);
-            if (n < nodes.owned.size() && nodes.owned[n]) damping_work_ += energy_.from(damping_work(n, next, last_dt_, dt_));
+            if (n < nodes.owned.size() && nodes.owned[n]) add_energy(damping_work_, damping_work(n, next, last_dt_, dt_));
             nodes.v[n] = next;
             nodes.x[n] += dt_ * next;
         }
@@ -283,7 +289,7 @@ void Simulation::update_candidates() {
     const double skin = skin_in_edges * model_.smallest_edge, ahead = steps_ahead * dt_;
     auto& nodes = model_.nodes;
     expected_nodes_ = contact::Whereabouts(nodes.x, nodes.v, ahead);
-    if (torn_ && model_.ply_contact) find_rims(comm_, model_.halo, model_.surface);
+    if (torn_ && model_.ply_contact) find_rims(comm_, panel_, model_);
     const double reach = ghost_reach(scene_, panel_);
     if (reach > 0) {
         if (comm_.size() > 1) {

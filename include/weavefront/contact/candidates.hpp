@@ -14,9 +14,9 @@ namespace weavefront::contact {
 /// numbered row by row these are few runs.
 using Candidates = FacetLists;
 
-/// Finds, for every alive owned facet, the alive facets of the next ply whose footprint is expected to come within `reach`; where some of
-/// these are on the rim of a hole, or none is there, also those of the ply behind, and so on. The result for a facet does not depend on
-/// which rank owns it.
+/// Finds, for every alive owned facet, the alive facets of the next ply whose footprint is expected to come within `reach`; once facets
+/// were eroded, where some of these are on a rim, or none is there, also those of the ply behind, and so on. The result for a facet does
+/// not depend on which rank owns it.
 Candidates find_candidates(const Surface& surface, const Whereabouts& expected, double reach);
 
 }  // namespace weavefront::contact

@@ -20,7 +20,6 @@ struct Constants {
     double effective_thickness = 0;  ///< t_e
     double length = 0;               ///< L, IT04 (34)
     double inverse_length = 0;       ///< 1/L
-    double areal_density = 0;        ///< kg/m2
     // yarn
     double static_modulus = 0;            ///< E1
     double hooke_modulus = 0;             ///< Ka
@@ -37,8 +36,6 @@ struct Constants {
     // friction
     double friction = 0;           ///< mu
     double packed_cos_2theta = 1;  ///< largest |cos 2 theta| at which IT04 (43),(45) are evaluated
-
-    double transverse_shear = 0;  ///< G23
 };
 
 /// A contact factor that jumps would make packing forces jump: a transition of zero is taken as this angle, rad.
@@ -59,13 +56,11 @@ inline constexpr double smallest_packed_angle = 1.0;
                 .thickness = t,
                 .effective_thickness = fabric.effective_thickness(),
                 .length = sqrt(s / 2 * (s / 2) + t / 4 * (t / 4)),  // IT04 (34)
-                .areal_density = fabric.areal_density,
                 .static_modulus = fabric.elastic.static_modulus,
                 .hooke_modulus = fabric.elastic.hooke_modulus,
                 .instant_modulus = fabric.elastic.viscosity > 0 ? fabric.elastic.hooke_modulus : fabric.elastic.static_modulus,
                 .viscosity = fabric.elastic.viscosity,
-                .friction = fabric.friction,
-                .transverse_shear = fabric.transverse_shear};
+                .friction = fabric.friction};
     c.inverse_length = 1 / c.length;
     const double E1 = c.static_modulus;
     const double Ka = c.hooke_modulus;

@@ -118,7 +118,8 @@ class ElementGroup {
     [[nodiscard]] double area(std::int32_t index) const { return alive(index) ? whole_quad(index).area : 0.0; }
     [[nodiscard]] double hourglass_energy(std::int32_t index) const { return hourglass_energy_[static_cast<std::size_t>(index)]; }
     std::size_t slot(std::int32_t index, int field) const {
-        return static_cast<std::size_t>((index / pack_width * changing_fields_ + field) * pack_width + index % pack_width);
+        const auto pack = static_cast<std::size_t>(index / pack_width), lane = static_cast<std::size_t>(index % pack_width);
+        return (pack * static_cast<std::size_t>(changing_fields_) + static_cast<std::size_t>(field)) * pack_width + lane;
     }
     void take_out(std::int32_t index) { damage_.set(index / pack_width, alive_field, index % pack_width, 0); }
 

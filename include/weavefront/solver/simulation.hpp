@@ -27,7 +27,7 @@ struct Counts {
     double largest_closure = 0;                             ///< of the rows, see Balance
 };
 
-/// Distance from a rank's own facets up to which those of others become its ghosts, m; 0: plies are not in contact with each other.
+/// Distance from a rank's own facets up to which those of others become its ghosts, m; 0: contact needs none of them.
 double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel);
 
 /// Central differences: `advance_forces` completes the state at the present time (forces from the positions), `integrate` moves on to the
@@ -76,6 +76,7 @@ class Simulation {
     void let_debris_go();
     void note(const shell::Events& events);
     void count_contact_work(double dt);  // of half a step
+    void add_energy(std::int64_t& sum, double energy);
     [[noreturn]] void stop_at_fault() const;
     [[nodiscard]] bool moved_far() const;
     [[nodiscard]] Vec3 whole_force(const FixedVector& on_part) const;
@@ -116,6 +117,7 @@ class Simulation {
     parallel::FixedPoint energy_;
     std::int64_t contact_work_ = 0, damping_work_ = 0, eroded_work_ = 0, eroded_friction_ = 0, eroded_hourglass_ = 0;  // of energy_
     double initial_energy_ = 0, turnover_ = 0;
+    bool faulty_energy_ = false;  // some work was not finite, or too large to be true
     Counts counts_;
 };
 

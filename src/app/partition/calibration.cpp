@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <fstream>
 #include <limits>
 #include <span>
@@ -156,16 +155,7 @@ Machine calibrate(const scene::Scene& scene, const parallel::Communicator& comm,
     const parallel::Communicator self(MPI_COMM_SELF);
     Machine machine{.name = fmt::format("{}, {} ranks", processor(), comm.size()), .ranks = comm.size()};
     PacedSteps alone;
-    std::exception_ptr failure;
-    try {
-        if (comm.rank() == 0) alone = repeat_steps(scene, self, self, repetitions);
-    } catch (...) {
-        failure = std::current_exception();
-    }
-    sleep_until_all_arrive(comm);
-    parallel::on_root(comm, [&] {
-        if (failure) std::rethrow_exception(failure);
-    });
+    compute_apart(comm, comm.rank() == 0, [&] { alone = repeat_steps(scene, self, self, repetitions); });
     const auto together = repeat_steps(scene, self, comm, repetitions);
     const double slowest = comm.max(together.times.mean());
     sleep_until_all_arrive(comm);

@@ -2,9 +2,11 @@
 /// @file
 /// Some ranks compute while the others leave their cores alone.
 
+#include <exception>
 #include <optional>
 
 #include "weavefront/parallel/communicator.hpp"
+#include "weavefront/parallel/on_root.hpp"
 
 namespace weavefront::app {
 
@@ -13,5 +15,22 @@ std::optional<parallel::Communicator> first_ranks(const parallel::Communicator& 
 
 /// Waits for all ranks asleep: MPI's own barrier would take processor time from those that still compute. @note Collective
 void sleep_until_all_arrive(const parallel::Communicator& comm);
+
+/// Runs `action` on some of the ranks, the first among them, while the others sleep.
+/// @throws std::runtime_error on all ranks when it throws on the first one
+/// @note Collective
+template <class Action>
+void compute_apart(const parallel::Communicator& comm, bool computes, Action action) {
+    std::exception_ptr failure;
+    try {
+        if (computes) action();
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    sleep_until_all_arrive(comm);
+    parallel::on_root(comm, [&] {
+        if (failure) std::rethrow_exception(failure);
+    });
+}
 
 }  // namespace weavefront::app

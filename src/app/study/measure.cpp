@@ -7,6 +7,7 @@
 #include "field_distance.hpp"
 #include "variant_results.hpp"
 #include "weavefront/fabric/constants.hpp"
+#include "weavefront/partition/contact_zone.hpp"
 #include "weavefront/study/closed_forms.hpp"
 
 namespace weavefront::app {
@@ -31,7 +32,7 @@ class ClosedForm {
 
     [[nodiscard]] std::optional<double> outcome(const std::string& name) const {
         if (!smith_ || !variant_.scene.projectile) return std::nullopt;
-        const double speed = strip_wave_speed(variant_.scene.fabrics.front());
+        const double speed = partition::wave_speed(variant_.scene.fabrics.front());
         const study::SmithImpact impact = study::smith_impact(variant_.scene.projectile->velocity[2], speed);
         if (name == "strip_strain") return impact.strain;
         if (name == "strip_transverse_speed") return impact.transverse_speed;

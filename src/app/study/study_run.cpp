@@ -12,6 +12,7 @@
 #include "variant_run.hpp"
 #include "weavefront/io/output_directory.hpp"
 #include "weavefront/io/progress.hpp"
+#include "weavefront/parallel/on_root.hpp"
 
 namespace weavefront::app {
 
@@ -48,10 +49,10 @@ class StudyRun {
   private:
     void choose_pending() {
         std::vector<std::int32_t> pending;
-        if (comm_.rank() == 0) {
+        parallel::on_root(comm_, [&] {
             for (std::size_t i = 0; i < entries_.size(); ++i)
                 if (!is_computed(entries_[i].input, folder_of(i))) pending.push_back(static_cast<std::int32_t>(i));
-        }
+        });
         comm_.broadcast(pending);
         for (const std::int32_t i : pending) {
             pending_.push_back(static_cast<std::size_t>(i));

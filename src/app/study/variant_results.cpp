@@ -3,18 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
 #include "strip_frames.hpp"
+#include "weavefront/partition/contact_zone.hpp"
 #include "weavefront/study/closed_forms.hpp"
 
 namespace weavefront::app {
-
-double strip_wave_speed(const scene::Fabric& fabric) {
-    return std::sqrt(fabric.elastic.static_modulus * fabric.yarn.area / (fabric.yarn.span * fabric.areal_density));
-}
 
 VariantResults::VariantResults(const scene::Case& variant, const std::filesystem::path& folder) : variant_(variant), folder_(folder) {
     const std::filesystem::path path = folder / "summary.json";
@@ -38,7 +34,7 @@ std::optional<double> VariantResults::outcome(const std::string& name) const {
 std::optional<double> VariantResults::strip(const std::string& name) const {
     if (summary_.value("status", "") != "finished" || !variant_.scene.projectile) return std::nullopt;
     if (!waves_) {
-        const double speed = strip_wave_speed(variant_.scene.fabrics.front());
+        const double speed = partition::wave_speed(variant_.scene.fabrics.front());
         const double expected = study::smith_impact(variant_.scene.projectile->velocity[2], speed).strain;
         waves_ = study::measure_strip(strip_frames(folder_ / "results.vtkhdf"), expected);
     }

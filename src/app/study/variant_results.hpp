@@ -36,7 +36,4 @@ class VariantResults {
     mutable std::optional<study::StripWaves> waves_;
 };
 
-/// Speed of the longitudinal wave along straight elastic yarns, sqrt(E1 S/(s m)), m the areal density, m/s.
-double strip_wave_speed(const scene::Fabric& fabric);
-
 }  // namespace weavefront::app

@@ -59,8 +59,11 @@ void compute_variant(scene::Compute compute, const scene::Case& variant, const s
 bool is_computed(const scene::Case& variant, const std::filesystem::path& folder) {
     std::ifstream file(folder / "summary.json");
     const auto summary = nlohmann::json::parse(file, nullptr, false);
-    if (!file || summary.is_discarded()) return false;
-    return summary.value("scene_hash", "") == variant.hash && summary["versions"].value("weavefront", "") == WEAVEFRONT_VERSION;
+    const auto says = [](const nlohmann::json& part, const char* key, const std::string& text) {
+        return part.is_object() && part.contains(key) && part[key] == text;
+    };
+    return says(summary, "scene_hash", variant.hash) && summary.contains("versions") &&
+           says(summary["versions"], "weavefront", WEAVEFRONT_VERSION);
 }
 
 }  // namespace weavefront::app

@@ -1,8 +1,10 @@
 #include "weavefront/io/history.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <limits>
 
 #include "scratch_directory.hpp"
@@ -50,6 +52,26 @@ TEST(History, HoldsTheColumnsInTheirOrderAtFullPrecision) {
     // Read while the table is open: a row counts once it is written.
     if (comm.rank() == 0) {
         EXPECT_EQ(content(directory / "history.csv"), std::string(header) + "\n" + numbered_line + "\n" + numbered_line + "\n");
+    }
+}
+
+// The file system takes half of a row, as a full one may.
+TEST(History, HoldsWholeRowsWhenTheDiskIsFull) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    History history(directory / "history.csv", comm);
+    const auto one_row = std::string(header) + "\n" + numbered_line + "\n";
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{one_row.size() + 20, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    history.write(numbered_row());
+    EXPECT_THROW(history.write(numbered_row()), FileError);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    if (comm.rank() == 0) {
+        EXPECT_EQ(content(directory / "history.csv"), one_row);
     }
 }
 

@@ -110,6 +110,12 @@ class Study(unittest.TestCase):
         strip = [{k: v for k, v in row.items() if k != "wall_seconds"} for row in before]
         self.assertEqual([{k: v for k, v in row.items() if k != "wall_seconds"} for row in self.rows()], strip)
 
+    def test_repeats_variants_whose_summary_is_somebody_elses(self):
+        self.run_study()
+        for variant, summary in zip(self.rows(), ("[]", "{}", '{"scene_hash": 1, "versions": 2}', "3", "")):
+            (self.folder / "out" / variant["variant"] / "summary.json").write_text(summary)
+        self.assertIn("8, of them 3 computed before", self.run_study(ranks=2))
+
     def test_repeats_variants_whose_scene_has_changed(self):
         self.run_study()
         self.assertIn("8, of them 0 computed before", self.run_study(STUDY + "set: {damping: 1 1/s}\n"))

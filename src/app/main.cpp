@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ Status run(CLI::App& app, int argc, char** argv) {
         return report(bad_input, error.messages());
     } catch (const app::GuardStop& stop) {
         return report(stopped, {stop.what()});
+    } catch (const std::bad_alloc&) {
+        return report(system_error, {"out of memory"});
     } catch (const std::exception& error) {
         return report(system_error, {error.what()});
     } catch (...) {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -49,7 +50,11 @@ void add_run(CLI::App& app) {
     command
         ->add_option("--rebalance", options->rebalance,
                      "Move columns between the ranks whenever the slowest stays above the mean by more than this share; 0.1 is 10 %")
-        ->check(CLI::NonNegativeNumber);
+        ->check([](const std::string& text) {
+            double share = -1;
+            const bool number = CLI::detail::lexical_cast(text, share) && share >= 0 && std::isfinite(share);
+            return number ? std::string() : "found '" + text + "', allowed a number of at least 0";
+        });
     command->callback([options] { run(*options); });
 }
 

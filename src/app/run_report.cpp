@@ -148,8 +148,9 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
                               *summary.residual_velocity, summary.max_displacement * 1e3, summary.back_face_deflection * 1e3));
     log_.info(
         fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded", last.broken_yarns, last.eroded_elements));
-    log_.info(fmt::format("  energy        closes within {:.3g} % of the {:.4g} J handed over, hourglass {:.3g} J, contact {:.3g} J",
-                          simulation.counts().largest_closure * 100, last.turnover, last.hourglass, last.contact));
+    log_.info(fmt::format(
+        "  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; hourglass {:.3g} J, contact {:.3g} J",
+        simulation.counts().largest_closure * 100, last.turnover, last.hourglass, last.contact));
     if (scene_.projectile && array_of(last.projectile_velocity) == scene_.projectile->velocity)
         log_.warn("the projectile never touched the target");
     if (simulation.counts().lowest_contact_energy < 0)

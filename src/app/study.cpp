@@ -39,8 +39,8 @@ bool compute(const Options& options) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const scene::Study study = scene::parse_study(shared_text(options.study, comm), options.study.string(), vocabulary);
     const std::vector<StudyEntry> entries = study_entries(study, shared_text(study.scene, comm));
-    // Found missing now rather than when everything has been computed.
-    if (study.reference.kind == scene::Reference::Kind::file) shared_text(study.reference.file, comm);
+    // Found at fault now rather than when everything has been computed.
+    if (study.reference.kind == scene::Reference::Kind::file) require_measured(study, shared_text(study.reference.file, comm));
     std::optional<study::TextTable> before;
     if (!options.check.empty()) before = table_of_before(study, entries, options.check, comm);
     const io::OutputDirectory kept(options.output, comm);

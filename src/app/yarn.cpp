@@ -95,7 +95,10 @@ void add_yarn(CLI::App& app) {
     auto* command = app.add_subcommand("yarn", "Stress-strain curves of one yarn at constant strain rates, up to its failure");
     auto options = std::make_shared<Options>();
     command->add_option("SCENE", options->scene, "Scene file (YAML); only its fabrics are read")->required();
-    command->add_option("--rates", options->rates, "Strain rates in 1/s, separated by commas")->required()->delimiter(',');
+    command->add_option("--rates", options->rates, "Strain rates in 1/s, separated by commas")
+        ->required()
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command
         ->add_option("--out", options->out,
                      "CSV to write: rate,time,strain,stress,failure; failure is 0, 19 or 20, the equation of the paper that was met; "

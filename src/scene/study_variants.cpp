@@ -22,13 +22,16 @@ std::string short_name(const std::string& axis) {
 
 /// `target.mesh.center`, `2 mm` to `center=2mm`: what every file system takes and no shell minds.
 std::string folder_part(const std::string& axis, const std::string& label) {
-    std::string text = short_name(axis) + "=";
-    for (const char c : label) {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+') text += c;
-        if (c == '/' || c == '_') text += '_';
-        if (c == '%') text += "percent";
-    }
-    return text;
+    const auto kept = [](const std::string& name) {
+        std::string text;
+        for (const char c : name) {
+            if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+') text += c;
+            if (c == '/' || c == '_') text += '_';
+            if (c == '%') text += "percent";
+        }
+        return text;
+    };
+    return kept(short_name(axis)) + "=" + kept(label);
 }
 
 std::string folder_of(const Study& study, const std::vector<std::string>& labels) {

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "weavefront/study/text_table.hpp"
 
@@ -53,14 +55,22 @@ class Sum {
 
 Columns read_columns(const std::filesystem::path& path) {
     std::ifstream file(path);
+    std::ostringstream text;
+    if (!file || !(text << file.rdbuf())) throw std::runtime_error(fmt::format("{}: cannot be read, or is empty", path.string()));
+    return parse_columns(text.str(), path.string());
+}
+
+Columns parse_columns(const std::string& text, const std::string& name) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    std::istringstream file(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text);
     std::string line;
-    if (!file || !std::getline(file, line)) throw std::runtime_error(fmt::format("{}: cannot be read, or is empty", path.string()));
+    if (!std::getline(file, line)) throw std::runtime_error(fmt::format("{}: empty, allowed a header and rows of numbers", name));
     const std::vector<std::string> names = cells_of(line);
     std::vector<std::vector<double>> columns(names.size());
     for (int number_of_line = 2; std::getline(file, line); ++number_of_line) {
         if (line.empty() || line.front() == '#') continue;
         const std::vector<std::string> cells = cells_of(line);
-        const std::string where = fmt::format("{}:{}", path.string(), number_of_line);
+        const std::string where = fmt::format("{}:{}", name, number_of_line);
         if (cells.size() < names.size() && file.eof()) break;
         if (cells.size() != names.size())
             throw std::runtime_error(fmt::format("{}: found {} cells, allowed {}", where, cells.size(), names.size()));

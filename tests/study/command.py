@@ -143,6 +143,19 @@ class Study(unittest.TestCase):
             self.assertAlmostEqual(float(row["residual_velocity_error"]), abs(float(row["residual_velocity"]) - 90) / 90, places=8)
             self.assertGreater(float(row["projectile_vz_l2_error"]), 0)
 
+    def test_refuses_measured_values_that_are_compared_with_nothing(self):
+        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
+        for table, message in (("time,projectile_vz,residual_velocty\n0,100,90\n", "found column 'residual_velocty'"),
+                               ("residual_velocty\n90\n", "nearest is 'residual_velocity'"),
+                               ("time,projectile_vz\n0,100\n0,90\n", "that ascends"), ("projectile_vz\n100\n", "that ascends"),
+                               ("time,projectile_vz\n0,abc\n", "measured.csv:2: found 'abc'")):
+            (self.folder / "measured.csv").write_text(table)
+            self.assertIn(message, self.run_study(text, "none", ranks=2, status=2))
+            self.assertFalse((self.folder / "none").exists())
+        (self.folder / "measured.csv").write_text("\ufefftime,projectile_vz\n0,100\n10e-6,100\n", encoding="utf-8")
+        self.run_study(text)
+        self.assertTrue(all(row["projectile_vz_l2_error"] for row in self.rows()))
+
     def test_check_finds_what_is_off_by_more_than_its_tolerance(self):
         self.run_study()
         table = self.folder / "before.csv"

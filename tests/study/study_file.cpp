@@ -78,6 +78,12 @@ TEST(StudyFile, NamesOfVariantsKeepTheirUnits) {
     EXPECT_EQ(variants[0].name, "center=2mm,speed=5percent");
 }
 
+TEST(StudyFile, NamesOfVariantsStayInTheFolderOfTheStudy) {
+    const std::vector<Variant> variants = variants_of(parse(study_with("- speed:", "- \"../a b/speed\":")));
+    EXPECT_EQ(variants[0].name.find('/'), std::string::npos) << variants[0].name;
+    EXPECT_EQ(variants[0].name.find(".."), std::string::npos) << variants[0].name;
+}
+
 TEST(StudyFile, EachVariantHasItsOwnScene) {
     const Study study = parse(study_text);
     const std::vector<Case> cases = parse_cases(study, scene_text, variants_of(study));

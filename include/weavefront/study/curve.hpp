@@ -17,6 +17,8 @@ using Columns = std::map<std::string, std::vector<double>>;
 /// Reads a CSV file: a header, then rows of numbers; empty cells are NaN. A last line cut short is left out.
 /// @throws std::runtime_error naming the file and the line when it cannot be read or holds no such table
 Columns read_columns(const std::filesystem::path& path);
+/// The same from text. @param name of the file, for messages
+Columns parse_columns(const std::string& text, const std::string& name);
 
 /// A value over time, linear between its points.
 struct Curve {

@@ -1,13 +1,20 @@
 #include "measure.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <stdexcept>
 
 #include "field_distance.hpp"
 #include "variant_results.hpp"
 #include "weavefront/fabric/constants.hpp"
 #include "weavefront/partition/contact_zone.hpp"
+#include "weavefront/scene/nearest.hpp"
+#include "weavefront/scene/read.hpp"
 #include "weavefront/study/closed_forms.hpp"
 
 namespace weavefront::app {
@@ -142,6 +149,31 @@ class Measurement {
 };
 
 }  // namespace
+
+void require_measured(const scene::Study& study, const std::string& text) {
+    const std::string name = study.reference.file.string();
+    study::Columns columns;
+    try {
+        columns = study::parse_columns(text, name);
+    } catch (const std::runtime_error& fault) {
+        throw scene::InputError({fault.what()});
+    }
+    std::vector<std::string> compared{"time"}, faults;
+    bool over_time = false;
+    for (const Measure& measure : study.quantities) {
+        if (measure.kind == Measure::Kind::field) continue;
+        compared.push_back(measure.of);
+        over_time = over_time || (measure.kind == Measure::Kind::history && columns.contains(measure.of));
+    }
+    for (const auto& [column, values] : columns)
+        if (std::ranges::find(compared, column) == compared.end())
+            faults.push_back(fmt::format("{}:1: found column '{}', allowed are time and what the study compares: {}; nearest is '{}'", name,
+                                         column, fmt::join(compared, ", "), scene::nearest(column, compared)));
+    const auto time = columns.find("time");
+    if (over_time && (time == columns.end() || !std::ranges::is_sorted(time->second, std::less_equal<>())))
+        faults.push_back(fmt::format("{}:1: a history is compared with it, which takes a column 'time' that ascends, s", name));
+    if (!faults.empty()) throw scene::InputError(faults);
+}
 
 std::vector<StudyRow> measure_study(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder) {
     return Measurement(study, entries, folder).rows();

@@ -24,6 +24,10 @@ struct StudyRow {
     int ranks = 1;
 };
 
+/// @param text of the file of measured values that a study compares with
+/// @throws scene::InputError for a column that is compared with nothing, for times that do not ascend, and for what is no number
+void require_measured(const scene::Study& study, const std::string& text);
+
 /// Measures all entries. @throws std::runtime_error for a file that cannot be read
 std::vector<StudyRow> measure_study(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder);
 

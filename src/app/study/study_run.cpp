@@ -51,7 +51,7 @@ class StudyRun {
         std::vector<std::int32_t> pending;
         parallel::on_root(comm_, [&] {
             for (std::size_t i = 0; i < entries_.size(); ++i)
-                if (!is_computed(entries_[i].input, folder_of(i))) pending.push_back(static_cast<std::int32_t>(i));
+                if (!is_computed(study_.compute, entries_[i].input, folder_of(i))) pending.push_back(static_cast<std::int32_t>(i));
         });
         comm_.broadcast(pending);
         for (const std::int32_t i : pending) {

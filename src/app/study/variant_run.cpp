@@ -56,7 +56,9 @@ void compute_variant(scene::Compute compute, const scene::Case& variant, const s
     }
 }
 
-bool is_computed(const scene::Case& variant, const std::filesystem::path& folder) {
+bool is_computed(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& folder) {
+    for (const char* file : {"history.csv", "results.vtkhdf"})
+        if (compute == scene::Compute::impact && !std::filesystem::exists(folder / file)) return false;
     std::ifstream file(folder / "summary.json");
     const auto summary = nlohmann::json::parse(file, nullptr, false);
     const auto says = [](const nlohmann::json& part, const char* key, const std::string& text) {

@@ -20,6 +20,6 @@ void compute_variant(scene::Compute compute, const scene::Case& variant, const s
                      const parallel::Communicator& comm);
 
 /// Whether the folder holds the outcome of just this variant, computed by this version of the program.
-bool is_computed(const scene::Case& variant, const std::filesystem::path& folder);
+bool is_computed(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& folder);
 
 }  // namespace weavefront::app

@@ -105,7 +105,8 @@ def draw_deformed(run, paths, frames, window=None, field=None):
         faces = fabric(results, step, window, field, norm)
         top = max(faces.corners[..., 2].max(initial=0.0) * 1e-3, 0.0) + 0.25 * window
         scenes.append(together(faces, projectile(results, step, top)).ordered(VIEW))
-    limits = np.array([[polygons.min(axis=(0, 1)), polygons.max(axis=(0, 1))] for polygons, _ in scenes])
+    seen = [polygons for polygons, _ in scenes if len(polygons)] or [1e3 * window * np.array([[[-1, -0.3], [1, 0.3]]])]
+    limits = np.array([[polygons.min(axis=(0, 1)), polygons.max(axis=(0, 1))] for polygons in seen])
     low, high = limits[:, 0].min(axis=0), limits[:, 1].max(axis=0)
     for step, path, (polygons, colours) in zip(frames, paths, scenes):
         save_figure(picture(run, step, polygons, colours, (low, high), norm, field), path, tight=False)

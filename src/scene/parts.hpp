@@ -24,7 +24,7 @@ std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics, co
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);
 
 /// `contact`. @param has_frame whether an edge of the target rests on a frame
-Contact read_contact(Section& section, bool has_frame);
+Contact read_contact(Section& section, const Target* target);
 
 /// `time`.
 Scene::Time read_time(Section& section);

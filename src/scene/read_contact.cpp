@@ -14,22 +14,28 @@ ContactLaw read_law(Section& section, const ContactLaw& otherwise) {
     return law;
 }
 
-std::optional<double> read_point_spacing(Section& section) {
+/// @param target none: any spacing will do
+std::optional<double> read_point_spacing(Section& section, const Target* target) {
+    constexpr double most_along_edge = 1000;  // far below what a projectile's edge resolves, and memory of every point
     if (section.says("spacing", "nodes")) return std::nullopt;
-    return section.quantity("spacing", length, positive, Contact{}.spacing);
+    const double spacing = section.quantity("spacing", length, positive, Contact{}.spacing);
+    section.refuse_if(target != nullptr && spacing < target->mesh.edge / most_along_edge, "spacing",
+                      "at least a thousandth of the elements at the edge (target.mesh.edge)");
+    return spacing;
 }
 
 }  // namespace
 
-Contact read_contact(Section& section, bool has_frame) {
+Contact read_contact(Section& section, const Target* target) {
     Contact contact;
     // Of the order of a yarn's transverse modulus over one ply spacing.
     const ContactLaw rigid = contact.frame;
     const ContactLaw plies{.stiffness = 1.1e13, .unloading = 10, .damping = 0.2};
-    contact.spacing = read_point_spacing(section);
+    contact.spacing = read_point_spacing(section, target);
     contact.projectile = section.optional("projectile", [&](Section& law) { return read_law(law, rigid); });
     contact.plies = section.optional("plies", [&](Section& law) { return read_law(law, plies); });
     contact.frame = section.optional("frame", [&](Section& law) { return read_law(law, rigid); }).value_or(rigid);
+    const bool has_frame = target != nullptr && target->frame;
     section.refuse_if(!has_frame && section.has("frame"), "frame", "only with an edge that rests on the frame (target.edges)");
     section.unavailable({"friction"});
     return contact;

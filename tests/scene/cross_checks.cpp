@@ -34,6 +34,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{{"projectile.velocity=[0, 400 m/s]"}, "projectile.velocity: found a list of 2, allowed a list of 3, each a velocity"},
         Case{{"projectile.velocity=400 m/s"}, "projectile.velocity: found '400 m/s', allowed a list of 3, each a velocity"},
         Case{{"projectile.velocity=[0, 0, 400]"}, "projectile.velocity.2: found '400', a number without a unit, allowed a velocity"},
+        Case{{"contact.spacing=1e-9 mm"}, "contact.spacing: found '1e-9 mm', allowed at least a thousandth of the elements at the edge"},
         Case{{"projectile.mass=0 g"}, "projectile.mass: found '0 g', allowed a mass greater than 0"},
         Case{{"projectile.edge_radius=2.7 mm"}, "projectile.edge_radius: found '2.7 mm', allowed at most half the diameter"},
         Case{{"projectile.length=0.5 mm"}, "projectile.length: found '0.5 mm', allowed at least twice the edge radius"},

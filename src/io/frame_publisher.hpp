@@ -17,7 +17,7 @@ class FramePublisher {
     explicit FramePublisher(const std::string& path);
 
     /// Adds the time of frame `frame` and raises NSteps to `frame` + 1, one after the other, each a change of eight bytes in place. To be
-    /// called when the data of the frame are on disk.
+    /// called when the data of the frame are with the operating system.
     /// @param time  simulated time of the frame, s
     /// @throws FileError
     void publish(std::int64_t frame, double time);

@@ -1,6 +1,7 @@
 #include "weavefront/io/results.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -17,6 +18,11 @@
 namespace weavefront::io {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What the machine's crash may cost, beside what its kill may: waiting for the disk at every frame would take longer than writing it.
+constexpr auto between_syncs = std::chrono::seconds(5);
 
 constexpr std::uint8_t vtk_hidden_cell = 32;  // vtkDataSetAttributes::HIDDENCELL
 
@@ -68,7 +74,10 @@ class Results::File {
         agreement.attempt([&] { require_finite(frame, path_); });
         agreement.settle<NotFinite>();
         write_arrays(frame, agreement);
-        agreement.attempt([&] { flush(); });
+        if (comm_.any(Clock::now() - synced_ > between_syncs)) {
+            agreement.attempt([&] { sync(); });
+            synced_ = Clock::now();
+        }
         agreement.settle<FileError>();
         agreement.attempt_on_root([&] { publisher_->publish(frames_, frame.time); });
         agreement.settle<FileError>();
@@ -142,7 +151,8 @@ class Results::File {
         });
     }
 
-    void flush() const { checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "writing " + path_); }
+    // The arrays are written as they are handed over, and metadata do not change: all that is left to flush is the operating system.
+    void sync() const { checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "writing " + path_); }
 
     const parallel::Communicator& comm_;
     std::string path_;
@@ -156,6 +166,7 @@ class Results::File {
     H5Dataset points_, hidden_;
     std::vector<H5Dataset> point_data_, cell_data_;
     std::optional<FramePublisher> publisher_;  // on the first rank
+    Clock::time_point synced_ = Clock::now();
 };
 
 Results::Results(const ResultsSetup& setup, const parallel::Communicator& comm) : file_(std::make_unique<File>(setup, comm)) {}

@@ -17,10 +17,13 @@ import callgrind
 from programs import architecture, compiler, processor, run, settings
 
 HERE = Path(__file__).parent
-SCENE = HERE.parent.parent / "examples/kevlar129_8ply/impact_267.yaml"
+EXAMPLES = HERE.parent.parent / "examples"
+SCENE = EXAMPLES / "kevlar129_8ply/impact_267.yaml"
 NO_PLY_CONTACT = ["contact={projectile: {stiffness: 5.6e12 N/m^3, unloading: 10}}"]
 FINER = ["target.mesh={center: 0.5 mm, edge: 1 mm, growth: 1.08}"]
+SCALING = EXAMPLES / "scaling/scene.yaml"
 CUT = ["time.end=20 us", "output.interval=0", "output.history=20 us"]
+CUT_SHORT = ["time.end=2 us", "output.interval=0", "output.history=2 us"]
 STEP_PHASES = ("elements", "contact", "search", "halo", "integrate", "ledger")
 STEPS = 20  # of benchmark_step, after 20 to warm up
 CONNECTIVITY = 4 * 4  # bytes: four nodes of an element, 32 bits each
@@ -57,16 +60,15 @@ def one_rank(command, overrides, repeats):
     return {"nanoseconds": sum(phases.values()), "phases": phases, "elements": best["elements"], "steps": best["steps"]}
 
 
-def run_words(build, overrides):
-    return [build / "src/app/weavefront", "run", SCENE, *settings(overrides)]
+def run_words(build, overrides, scene=SCENE):
+    return [build / "src/app/weavefront", "run", scene, *settings(overrides)]
 
 
-def two_ranks(build, overrides, repeats):
+def two_ranks(command, repeats):
     """Throughput of two ranks over that of two runs of one rank side by side, run by run in turn."""
     processors = sorted(os.sched_getaffinity(0))[:2]
     if len(processors) < 2:
         sys.exit("two ranks are compared on two cores; this process may use one only")
-    command = run_words(build, [*CUT, *overrides])
     together = ["mpirun", "--bind-to", "none", "-n", 1, "taskset", "-c", processors[0], *command]
     ratios = []
     with tempfile.TemporaryDirectory() as folder:
@@ -140,7 +142,8 @@ def measure(build, counted, repeats):
         "targets": TARGETS,
         "one_rank": {**{name: one_rank(run_words(build, []), [*CUT, *overrides], repeats) for name, overrides in cases.items()},
                      "with ply contact, the whole example": one_rank(run_words(build, []), [], 2)},
-        "two_ranks": [two_ranks(build, overrides, 3 * repeats) for overrides in ([], FINER)],
+        "two_ranks": [two_ranks(run_words(build, CUT), 3 * repeats), two_ranks(run_words(build, [*CUT, *FINER]), 3 * repeats),
+                      two_ranks(run_words(build, CUT_SHORT, SCALING), repeats)],
         "output": output_share(build),
         "memory": {name: json.loads(run(step_command(build, overrides)))["bytes"] - CONNECTIVITY for name, overrides in cases.items()},
         "kernels": rates,

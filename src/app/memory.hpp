@@ -10,7 +10,7 @@
 namespace weavefront::app {
 
 /// Bytes that a run takes at the most, on all ranks together: 600 an element, as measured on the large panel of examples/large_panel, whose
-/// set-up takes the most.
+/// set-up takes the most. Moving columns (`--rebalance`) takes as much again for a while.
 double memory_needed(std::int64_t elements);
 
 /// Bytes that this machine has.

@@ -23,9 +23,8 @@ void FacetGroups::group(const Surface& surface, std::span<const Vec3> x, std::in
     const auto ply_of = [&](std::int32_t f) { return surface.facets[static_cast<std::size_t>(f)].ply; };
     std::ranges::stable_sort(facets, {}, ply_of);
     std::vector<Vec3> centres(static_cast<std::size_t>(end));
-    for (const auto f : facets) {
+    for (const auto f : facets)
         centres[static_cast<std::size_t>(f)] = centre_of(corners_of(surface.facets[static_cast<std::size_t>(f)].nodes, x));
-    }
     for (auto ply = facets.begin(); ply != facets.end();) {
         const auto next = std::find_if(ply, facets.end(), [&](std::int32_t f) { return ply_of(f) != ply_of(*ply); });
         split(surface, centres, {ply, next});

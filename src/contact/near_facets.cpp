@@ -11,12 +11,7 @@ void NearFacets::start(const Facet& facet, const std::array<Vec3, 4>& corners) {
     normal_ = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
     front_ = 0;
     for (const auto& corner : corners) front_ = std::max(front_, (corner - centre_).dot(normal_));
-    box_ = Box::around(corners);
-}
-
-bool NearFacets::is_over(const Box& box, double reach) const {
-    return box.low.x() <= box_.high.x() + reach && box.high.x() >= box_.low.x() - reach && box.low.y() <= box_.high.y() + reach &&
-           box.high.y() >= box_.low.y() - reach;
+    footprint_ = Footprint::of(Box::around(corners));
 }
 
 void NearFacets::add(const FacetRuns& candidates, FacetLines& lines, const Surface& surface, const Touching& touching,
@@ -35,7 +30,7 @@ void NearFacets::add(const FacetRuns& candidates, FacetLines& lines, const Surfa
             covered = on_rim = false;
         }
         const auto box = Box::around(facet, x);
-        if (!surface.on_rim.empty() && is_over(box, touching.depth())) {
+        if (!surface.on_rim.empty() && footprint_.near(Footprint::of(box), touching.depth())) {
             covered = true;
             on_rim = on_rim || surface.on_rim[at] != 0;
         }

@@ -88,7 +88,10 @@ class History::File {
         line += '\n';
         for (std::size_t done = 0; done < line.size();) {
             const auto wrote = ::write(descriptor_, line.data() + done, line.size() - done);
-            if (wrote < 0 && errno != EINTR) take_back(done), fail("written");
+            if (wrote < 0 && errno != EINTR) {
+                take_back(done);
+                fail("written");
+            }
             if (wrote > 0) done += static_cast<std::size_t>(wrote);
         }
     }

@@ -23,7 +23,7 @@ std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics, co
 /// `projectile`. @param target null when the scene has none
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);
 
-/// `contact`. @param has_frame whether an edge of the target rests on a frame
+/// `contact`. @param target null: there is none
 Contact read_contact(Section& section, const Target* target);
 
 /// `time`.

@@ -101,6 +101,11 @@ class Partition(unittest.TestCase):
         alone = self.rows("table.csv")[0]
         self.assertLess(abs(float(alone["step_seconds"]) * float(alone["measured_pace"]) / float(measured[0]) - 1), 0.5)
 
+    def test_a_guard_stop_of_measured_steps_ends_all_processes(self):
+        stiff = ("--set", "contact.projectile={stiffness: 1e308 N/m^3}")
+        for options in (("--ranks", "1", "--measure"), ("--ranks", "1,2", "--measure"), ("--calibrate", "here.json")):
+            self.assertIn("the time step vanished", self.refusal(*options, *stiff, processes=2, status=1), options)
+
     def test_refusals(self):
         for ranks in ("0", "-3", "2.5", "many", "100001"):
             self.assertIn(f"--ranks: found '{ranks}', allowed a whole number from 1 to 100000", self.refusal(f"--ranks={ranks}"))

@@ -12,6 +12,7 @@
 #include "weavefront/contact/facet_runs.hpp"
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/contact/touching.hpp"
+#include "weavefront/contact/whereabouts.hpp"
 
 namespace weavefront::contact {
 
@@ -34,11 +35,9 @@ class NearFacets {
         std::int32_t facet, ply;
         double apart;  ///< of the centres, m2
     };
-    [[nodiscard]] bool is_over(const Box& box, double reach) const;
-
     std::int32_t ply_ = 0;
     Vec3 centre_, normal_;
-    Box box_;
+    Footprint footprint_;
     double front_ = 0;  ///< of the facet's foremost corner along its normal, m
     std::vector<Near> near_;
 };

@@ -16,6 +16,8 @@ namespace weavefront::contact {
 struct Footprint {
     double x_low = std::numeric_limits<double>::max(), x_high = -x_low, y_low = x_low, y_high = -x_low;
 
+    static Footprint of(const Box& box) { return {box.low.x(), box.high.x(), box.low.y(), box.high.y()}; }
+
     void include(const Footprint& other) {
         x_low = std::min(x_low, other.x_low), x_high = std::max(x_high, other.x_high);
         y_low = std::min(y_low, other.y_low), y_high = std::max(y_high, other.y_high);

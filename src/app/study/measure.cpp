@@ -158,17 +158,17 @@ void require_measured(const scene::Study& study, const std::string& text) {
     } catch (const std::runtime_error& fault) {
         throw scene::InputError({fault.what()});
     }
-    std::vector<std::string> compared{"time"}, faults;
+    std::vector<std::string> allowed{"time"}, faults;
     bool over_time = false;
     for (const Measure& measure : study.quantities) {
         if (measure.kind == Measure::Kind::field) continue;
-        compared.push_back(measure.of);
+        allowed.push_back(measure.of);
         over_time = over_time || (measure.kind == Measure::Kind::history && columns.contains(measure.of));
     }
     for (const auto& [column, values] : columns)
-        if (std::ranges::find(compared, column) == compared.end())
-            faults.push_back(fmt::format("{}:1: found column '{}', allowed are time and what the study compares: {}; nearest is '{}'", name,
-                                         column, fmt::join(compared, ", "), scene::nearest(column, compared)));
+        if (std::ranges::find(allowed, column) == allowed.end())
+            faults.push_back(fmt::format("{}:1: found column '{}', allowed is what the study compares, over time: {}; nearest is '{}'",
+                                         name, column, fmt::join(allowed, ", "), scene::nearest(column, allowed)));
     const auto time = columns.find("time");
     if (over_time && (time == columns.end() || !std::ranges::is_sorted(time->second, std::less_equal<>())))
         faults.push_back(fmt::format("{}:1: a history is compared with it, which takes a column 'time' that ascends, s", name));

@@ -71,6 +71,11 @@ double Communicator::max(double value) const {
     return value;
 }
 
+void Communicator::max(std::span<double> values) const {
+    if (size_ == 1) return;
+    check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, comm_));
+}
+
 void Communicator::min(std::span<std::int64_t> values) const {
     if (size_ == 1) return;
     check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_MIN, comm_));

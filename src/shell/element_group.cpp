@@ -1,6 +1,7 @@
 #include "weavefront/shell/element_group.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "weavefront/shell/vector.hpp"
 
@@ -44,9 +45,38 @@ ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupEle
         for (std::size_t a = 0; a < 4; ++a) nodes_[i / pack_width][a][i % pack_width] = source.nodes[a];
         if (i < elements.size() && (runs_.empty() || source.element != element(index))) runs_.push_back({index, source.element});
     }
+    for (const auto& element : elements) parallelograms_ = parallelograms_ && element.quad.e1 == 0 && element.quad.e2 == 0;
     if (sizes.damage > 0)  // so that no filling lane outlives the element
         for (auto index = size_; index < packs_ * pack_width; ++index) take_out(index);
     runs_.shrink_to_fit();
+}
+
+void ElementGroup::sharpen(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const {
+    SharperBounds own{.along = start.least};
+    sharpen_uniform(start, x, own);
+    for (std::size_t i = 0; i < lendings.size(); ++i) {
+        const double poorest = 1 - std::abs(lendings[i].mass);
+        bounds.along[i] = std::max(bounds.along[i], with_hourglass(parallelograms_, own.along[i], start.hourglass / poorest));
+    }
+    bounds.straightness = std::max(bounds.straightness, own.straightness);
+}
+
+double ElementGroup::least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis, double known, double enough) {
+    using fabric::Pack;
+    for (std::int32_t i = 0; i < packs_ && known > enough; ++i) {
+        const auto pack = i + steepest_ < packs_ ? i + steepest_ : i + steepest_ - packs_;
+        const auto corners = gather(pack, x);
+        const auto normal = cross(corners[2] - corners[0], corners[3] - corners[1]);
+        const Pack along = normal.x * axis.x() + normal.y * axis.y() + normal.z * axis.z();
+        const Pack facing = along * fabric::abs(along), square = dot(normal, normal);
+        if (!fabric::any(facing < known * square)) continue;
+        for (int lane = 0; lane < pack_width; ++lane) {
+            const auto index = pack * pack_width + lane;
+            if (square.get(lane) > 0 && index < size_ && alive(index)) known = std::min(known, facing.get(lane) / square.get(lane));
+        }
+        if (!(known > enough)) steepest_ = pack;
+    }
+    return known;
 }
 
 std::int32_t ElementGroup::element(std::int32_t index) const {

@@ -8,11 +8,11 @@
 #include "weavefront/fabric/cell.hpp"
 #include "weavefront/fabric/pack.hpp"
 #include "weavefront/fabric/stiffness.hpp"
-#include "weavefront/fabric/vectors.hpp"
 #include "weavefront/shell/critical_frequency.hpp"
 #include "weavefront/shell/element_group.hpp"
 #include "weavefront/shell/internal_force.hpp"
 #include "weavefront/shell/inversion.hpp"
+#include "weavefront/shell/membrane_form.hpp"
 
 namespace weavefront::shell {
 
@@ -25,7 +25,10 @@ class FeatureGroup final : public ElementGroup {
 
   public:
     FeatureGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements)
-        : ElementGroup(fabric, elements, sizes), constants_(fabric::constants_of(fabric)), any_yarn_(any_yarn_erodes(fabric)) {
+        : ElementGroup(fabric, elements, sizes),
+          constants_(fabric::constants_of(fabric)),
+          coupling_at_rest_(fabric::coupling_at_rest(constants_)),
+          any_yarn_(any_yarn_erodes(fabric)) {
         const auto initial = fabric::initial_state<F, Pack>(constants_);
         for (std::int32_t pack = 0; pack < packs_; ++pack) store(pack, initial);
     }
@@ -34,23 +37,31 @@ class FeatureGroup final : public ElementGroup {
 
     void advance(std::int32_t first, std::int32_t count, std::span<const Eigen::Vector3d> x, std::span<double> forces,
                  Events& events) override {
+        if (first == 0) has_straightened_ = false;
         for_packs(first, count, [&](std::int32_t pack, std::int32_t at) {
             advance_pack(pack, at, x, forces.data() + static_cast<std::size_t>(pack - first) * forces_per_pack, events);
+            if constexpr (F.crimp && !F.paper())
+                if (straightness_limit_ < std::numeric_limits<double>::infinity()) note_straightening(pack, at);
         });
     }
 
-    [[nodiscard]] double frequency_squared() const override {
-        double highest = 0;
+    [[nodiscard]] Frequencies<double> frequencies() const override {
+        Frequencies<Pack> highest;
         for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
             auto quad = quads_.pack_from(at);
             const auto state = load(pack, quad);
             const auto alive = quad.area > 0.0;
-            const Pack rough =
-                critical_frequency_squared(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
-            if (fabric::any(alive & (rough > highest))) raise(highest, pack, alive, rough);
+            const auto bounds =
+                critical_frequencies(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
+            raise(highest.along, alive, bounds.along);
+            raise(highest.across, alive, bounds.across);
+            raise(highest.hourglass, alive, bounds.hourglass);
         });
-        return highest;
+        return {largest_lane(highest.along), largest_lane(highest.across), largest_lane(highest.hourglass)};
     }
+
+    [[nodiscard]] bool is_crimped() const override { return F.crimp && !F.paper(); }
+    [[nodiscard]] bool is_packed() const override { return F.lateral && !F.paper() && packing_.any(); }
 
     [[nodiscard]] std::int64_t inverted(std::span<const Eigen::Vector3d> x) const override {
         std::int64_t count = 0;
@@ -87,25 +98,136 @@ class FeatureGroup final : public ElementGroup {
     }
 
   private:
-    /// Raises `known` to the bounds on the squared frequencies of a pack, the rough ones or sharper ones where these pay.
-    void raise(double& known, std::int32_t pack, const fabric::Mask& alive, const Pack& rough) const {
-        for (int lane = 0; lane < pack_width; ++lane) {
-            double bound = rough.get(lane);
-            if (!alive.get(lane) || !(bound > known)) continue;
-            const auto index = pack * pack_width + lane;
-            const auto state = state_of(index);
-            if (sharper_bound_pays(state))
-                bound = std::min(bound, critical_frequency_squared(whole_quad(index), fabric::tangent_bound<F>(constants_, state),
-                                                                   hourglass_, areal_density_));
-            known = std::max(known, bound);
+    void sharpen_uniform(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const override {
+        if constexpr (F.paper()) {  // the printed stresses derive from no energy and have no such tangent
+            bounds.along.fill(start.limit);
+        } else {
+            for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
+                if (std::ranges::any_of(bounds.along, [&](double bound) { return bound < start.limit; }))
+                    sharpen(pack, at, start, gather(pack, x), bounds);
+            });
         }
     }
 
-    /// Only packed yarns couple so strongly that the exact tangent is far below its rough bound. The printed stresses derive from no
-    /// energy and have no such tangent.
-    [[nodiscard]] static bool sharper_bound_pays(const fabric::State<double>& state) {
-        if constexpr (F.lateral && !F.paper()) return state.alpha > 0;
-        return false;
+    WEAVEFRONT_INLINE static void raise(Pack& highest, const fabric::Mask& alive, const Pack& bound) {
+        highest = select(alive & (bound > highest), bound, highest);
+    }
+
+    static double largest_lane(const Pack& values) {
+        double largest = values.get(0);
+        for (int lane = 1; lane < pack_width; ++lane) largest = std::max(largest, values.get(lane));
+        return largest;
+    }
+
+    /// How near a yarn is to straight, as a frequency: k cos^2 beta h_o^2/(h^2 + h_o^2), h its crossover height and h_o the other yarn's,
+    /// is the stiffness that slack yarns show with the crossover free. Numerator, 1/s2, and denominator.
+    struct Straightness {
+        Pack numerator, denominator;
+    };
+    [[nodiscard]] WEAVEFRONT_INLINE std::array<Straightness, 2> straightness(const Quad<Pack>& quad,
+                                                                             const fabric::State<Pack>& state) const {
+        const double k = 2 * constants_.instant_modulus * constants_.area * constants_.inverse_length / areal_density_;
+        const auto G = gradient_products(quad);
+        const Pack scale = k * (G[0] + G[2]), h_w = 0.5 * constants_.thickness - state.h_f;
+        const Pack hh_f = state.h_f * state.h_f, hh_w = h_w * h_w, sum = hh_f + hh_w;
+        const Pack a_f = (0.5 * constants_.span) * state.lambda_f, a_w = (0.5 * constants_.span) * state.lambda_w;
+        const Pack aa_f = a_f * a_f, aa_w = a_w * a_w;
+        return {{{scale * (aa_f * hh_w), (aa_f + hh_f) * sum}, {scale * (aa_w * hh_f), (aa_w + hh_w) * sum}}};
+    }
+
+    void note_straightening(std::int32_t pack, std::int32_t at) {
+        auto quad = quads_.pack_from(at);
+        const auto state = load(pack, quad);
+        const auto alive = quad.area > 0.0;
+        for (const auto& yarn : straightness(quad, state))
+            has_straightened_ = has_straightened_ || fabric::any(alive & (yarn.numerator > straightness_limit_ * yarn.denominator));
+    }
+
+    /// A pack on the way to its sharper bounds.
+    struct Sharpened {
+        fabric::Mask alive;
+        MembraneForm<Pack> form;
+        Pack c;       ///< coupling as seen in the element's plane, N/m
+        Pack tilted;  ///< square of what the coupling makes of the element's tilt, between motion along and across, 1/s4
+        Pack across;
+
+        /// Whether omega_squared is no bound.
+        [[nodiscard]] WEAVEFRONT_INLINE fabric::Mask above(double omega_squared) const {
+            const Pack rest = omega_squared - across;
+            const auto is_tilted = tilted > 0.0;
+            const Pack in_plane = omega_squared - select(is_tilted, Pack(tilted / rest), Pack(0.0));
+            return alive & ((is_tilted & (rest <= 0.0)) | exceeds(form, in_plane, c));
+        }
+
+        /// The bound of a lane by its eigenvalue; a little below, so that `above` decides.
+        [[nodiscard]] double bound(int lane) const {
+            const auto get = [&](const Pack& value) { return value.get(lane); };
+            const MembraneForm<double> of_lane{get(form.ff11), get(form.ff12), get(form.ff22), get(form.fw11),
+                                               get(form.fw12), get(form.fw21), get(form.fw22), get(form.ww11),
+                                               get(form.ww12), get(form.ww22), get(form.area)};
+            const double in_plane = largest_eigenvalue(of_lane, get(c)), half = (in_plane - get(across)) / 2;
+            const double both = get(tilted) > 0 ? (in_plane + get(across)) / 2 + std::sqrt(half * half + get(tilted)) : in_plane;
+            return in_steps(both * (1 - 1e-12));
+        }
+    };
+
+    void sharpen(std::int32_t pack, std::int32_t at, const SharpeningStart& start, const std::array<Vector<Pack>, 4>& x,
+                 SharperBounds& bounds) const {
+        auto quad = quads_.pack_from(at);
+        const auto state = load(pack, quad);
+        const auto alive = quad.area > 0.0;
+        if constexpr (F.crimp) {
+            for (const auto& yarn : straightness(quad, state)) {
+                const Pack now = yarn.numerator / yarn.denominator;
+                bounds.straightness = std::max(bounds.straightness, largest_lane(select(alive, now, Pack(0.0))));
+            }
+        }
+        const auto tangent = fabric::tangent_bound<F>(constants_, state);
+        const auto k = kinematics_of(quad, x);
+        const auto normal = cross(k.g_f, k.g_w);
+        const Pack tiny = std::numeric_limits<double>::min(), length = sqrt(fabric::max(dot(normal, normal), tiny));
+        const Pack inverse = 1.0 / fabric::max(Pack(state.lambda_f * state.lambda_w), tiny);
+        const Pack cosine = dot(k.g_f, k.g_w) * inverse, sine = length * inverse;
+        const Pack facing = (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
+        const auto even = membrane_form(tangent, cosine, sine, gradient_products(quad), areal_density_);
+        for (std::size_t i = 0; i < lendings.size(); ++i) {
+            if (bounds.along[i] >= start.limit) continue;
+            const double c = lendings[i].coupling * coupling_at_rest_, m = lendings[i].mass;
+            Sharpened sharpened{.alive = alive, .form = even, .c = c * facing, .tilted = 0.0, .across = start.across};
+            if (c > 0) {
+                const Pack area = c * even.area;
+                sharpened.tilted = area * area * fabric::max(Pack(1.0 - facing * facing), Pack(0.0));
+            }
+            if (m != 0) lend(std::abs(m), m > 0, quad, tangent, cosine, sine, start.smallest_area, sharpened);
+            raise(bounds.along[i], sharpened, start.limit);
+        }
+    }
+
+    /// Lends mass. A corner of the panel has no neighbour that would lend to it: its part there stays a quarter, which is allowed for in
+    /// every element.
+    void lend(double part, bool to_first, const Quad<Pack>& quad, const fabric::Tangent<Pack>& tangent, const Pack& cosine,
+              const Pack& sine, double smallest_area, Sharpened& sharpened) const {
+        const Pack lent = part * smallest_area / select(sharpened.alive, quad.area, Pack(smallest_area));
+        const Pack richer = 0.5 + 0.5 / (1.0 + lent), poorer = 1.0 / (1.0 - lent);
+        const auto G = to_first ? gradient_products(quad, richer, poorer) : gradient_products(quad, poorer, richer);
+        sharpened.form = membrane_form(tangent, cosine, sine, G, areal_density_);
+        sharpened.across = sharpened.across * poorer;
+    }
+
+    /// Raises `known` to the first step that bounds the pack: one step after the other, or, where these are many, by eigenvalues.
+    static void raise(double& known, const Sharpened& sharpened, double limit) {
+        constexpr int single_steps = 16;
+        int steps = 0;
+        for (auto above = sharpened.above(known); fabric::any(above); above = sharpened.above(known)) {
+            double higher = in_steps(known * (1 + 1e-9));
+            for (int lane = 0; lane < pack_width && steps >= single_steps; ++lane) {
+                const double bound = above.get(lane) ? sharpened.bound(lane) : 0.0;
+                higher = bound < limit ? std::max(higher, bound) : limit;  // also where it is not a number
+            }
+            ++steps;
+            known = std::min(higher, limit);
+            if (known == limit) return;
+        }
     }
 
     /// Calls with each pack and with the place of its geometry.
@@ -173,15 +295,6 @@ class FeatureGroup final : public ElementGroup {
         return corners;
     }
 
-    [[nodiscard]] std::array<Vector<Pack>, 4> gather(std::int32_t pack, std::span<const Eigen::Vector3d> x) const {
-        std::array<Vector<Pack>, 4> corners;
-        for (std::size_t a = 0; a < 4; ++a) {
-            const auto [px, py, pz] = fabric::gather_vectors(x[0].data(), nodes(pack)[a]);
-            corners[a] = {px, py, pz};
-        }
-        return corners;
-    }
-
     void advance_pack(std::int32_t pack, std::int32_t at, std::span<const Eigen::Vector3d> x, double* forces, Events& events) {
         auto quad = quads_.pack_from(at);
         auto state = load(pack, quad);
@@ -245,6 +358,7 @@ class FeatureGroup final : public ElementGroup {
 
     fabric::Constants constants_;
     fabric::Step step_;
+    double coupling_at_rest_;  ///< N/m
     bool any_yarn_;
 };
 

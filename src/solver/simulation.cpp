@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 #include "rim.hpp"
 #include "weavefront/solver/guard.hpp"
@@ -18,9 +17,6 @@ namespace {
 // Packs whose forces are buffered between the kernel and the sums: small enough for the second-level cache.
 constexpr std::int32_t packs_at_once = 64;
 
-// The time step follows its bound every so many steps; in between the bound changes by far less than the safety factor leaves.
-constexpr std::int64_t steps_between_checks = 5;
-
 // Lists of what may meet hold what comes within this many edges of the smallest element: short lists against few renewals.
 constexpr double skin_in_edges = 0.75;
 
@@ -32,33 +28,6 @@ constexpr double steps_ahead = 40;
 
 // A time step not more than this factor below its bound is kept: a change costs new relaxation coefficients.
 constexpr double worth_raising = 1.05;
-
-// A projectile so much heavier than the fabric under it stands still to the highest mode: far less than the safety factor leaves.
-constexpr double negligible = 0.01;
-
-/// Contact springs, at their unloading slope u k; a damper of the fraction xi shortens the stable step of central differences by
-/// sqrt(1 + xi^2) + xi. The highest mode of a free stack of n plies has omega^2 = 4 cos^2(pi/(2 n)) u k/m per area; a light projectile adds
-/// its own u k/m, with its cross-section for the area.
-double contact_frequency_squared(const scene::Scene& scene) {
-    double lightest = std::numeric_limits<double>::max();
-    for (const auto& ply : scene.target->plies)
-        lightest = std::min(lightest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density);
-    const auto frequency_squared = [](const scene::ContactLaw& law, double springs, double mass) {
-        const double xi = law.damping / std::sqrt(law.unloading), damped = std::sqrt(1 + xi * xi) + xi;
-        return springs * law.unloading * law.stiffness / mass * damped * damped;
-    };
-    double sum = 0;
-    const auto plies = static_cast<double>(scene.target->plies.size());
-    if (scene.contact.plies && plies > 1)
-        sum += frequency_squared(*scene.contact.plies, 4 * std::pow(std::cos(std::numbers::pi / (2 * plies)), 2), lightest);
-    if (scene.contact.projectile && scene.projectile) {
-        const double radius = scene.projectile->diameter / 2, mass = scene.projectile->mass / (std::numbers::pi * radius * radius);
-        sum += frequency_squared(*scene.contact.projectile, 1, lightest);
-        if (lightest > negligible * mass) sum += frequency_squared(*scene.contact.projectile, 1, mass);
-    }
-    if (scene.target->frame) sum += frequency_squared(scene.contact.frame, 1, lightest);
-    return sum;
-}
 
 std::string place_of(const mesh::Panel& panel, std::int64_t element) {
     const auto corners = panel.footprint(element % panel.columns());
@@ -86,9 +55,9 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
       comm_(comm),
       panel_(mesh::make_panel(scene)),
       model_(build_model(scene, panel_, initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
-      multiplicity_(panel_.multiplicity()) {
+      multiplicity_(panel_.multiplicity()),
+      step_bound_(scene, panel_) {
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
-    contact_frequency_squared_ = contact_frequency_squared(scene);
     counts_.first_break.assign(panel_.plies.size(), std::numeric_limits<double>::max());
     if (model_.projectile) {
         initial_projectile_ = model_.projectile->position;
@@ -107,7 +76,7 @@ void Simulation::advance_forces() {
     evaluate_contact();
     sum_over_ranks();
     hold_supports();
-    if (steps_ % steps_between_checks == 0) adapt_time_step();
+    if (steps_ >= next_check_ || stiffened_) adapt_time_step();
 }
 
 void Simulation::integrate() {
@@ -126,6 +95,7 @@ void Simulation::redistribute(const partition::Decomposition& decomposition) {
         const Timed timed(seconds_, Phase::halo);
         model_ = solver::redistribute(scene_, panel_, decomposition, model_, comm_);
         for (const auto& group : model_.groups) group->set_time_step(dt_);
+        step_bound_.watch(model_);
         pairs_.clear();
         list_supports();
     }
@@ -198,15 +168,18 @@ void Simulation::sum_over_ranks() {
     const Timed timed(seconds_, Phase::halo);
     model_.exchange.start(comm_, model_.nodes.force);
     const bool faulty = model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || faulty_energy_;
-    std::array<std::int64_t, 6> sums{on_projectile_[0],   on_projectile_[1],
-                                     on_projectile_[2],   static_cast<std::int64_t>(just_eroded_.size()),
-                                     moved_far() ? 1 : 0, faulty ? 1 : 0};
+    const bool stiffened = std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
+    enum Sum : std::size_t { x, y, z, eroded, left, stiff, fault, size };
+    std::array<std::int64_t, size> sums{
+        on_projectile_[0],   on_projectile_[1], on_projectile_[2], static_cast<std::int64_t>(just_eroded_.size()),
+        moved_far() ? 1 : 0, stiffened ? 1 : 0, faulty ? 1 : 0};
     comm_.sum(sums);
     model_.exchange.finish(model_.nodes.force);
-    projectile_force_ = whole_force({sums[0], sums[1], sums[2]});
-    torn_ = torn_ || sums[3] > 0;
-    candidates_outdated_ = sums[3] > 0 || sums[4] > 0;
-    if (sums[5] > 0) stop_at_fault();
+    projectile_force_ = whole_force({sums[x], sums[y], sums[z]});
+    torn_ = torn_ || sums[eroded] > 0;
+    candidates_outdated_ = sums[eroded] > 0 || sums[left] > 0;
+    stiffened_ = sums[stiff] > 0;
+    if (sums[fault] > 0) stop_at_fault();
 }
 
 void Simulation::stop_at_fault() const {
@@ -231,9 +204,8 @@ Vec3 Simulation::whole_force(const FixedVector& on_part) const {
 
 void Simulation::adapt_time_step() {
     const Timed timed(seconds_, Phase::elements);
-    double omega_squared = 0;
-    for (const auto& group : model_.groups) omega_squared = std::max(omega_squared, group->frequency_squared());
-    omega_squared = comm_.max(omega_squared) + contact_frequency_squared_;
+    const double omega_squared = step_bound_.frequency_squared(model_, pairs_, comm_);
+    next_check_ = steps_ + step_bound_.steps_to_next();
     const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);
     if (!(bound > 0)) throw GuardStop(fmt::format("the time step vanished at t = {:.6g} us, step {}", time_ * 1e6, steps_));
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;

@@ -12,18 +12,20 @@ namespace {
 
 // As the solver has them: other values would be other arithmetic.
 constexpr std::int32_t packs_at_once = 64;
-constexpr std::int64_t steps_between_checks = 5;
 constexpr double worth_raising = 1.05;
 
-solver::Model at_rest(const scene::Scene& scene, const parallel::Communicator& comm) {
-    const auto panel = mesh::make_panel(scene);
+solver::Model at_rest(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
     return solver::build_model(scene, panel, solver::initial_decomposition(scene, panel, 0, comm), comm);
 }
 
 }  // namespace
 
 TextbookStep::TextbookStep(const scene::Scene& scene, const parallel::Communicator& comm)
-    : safety_(scene.time.safety), model_(at_rest(scene, comm)) {
+    : comm_(comm),
+      safety_(scene.time.safety),
+      panel_(mesh::make_panel(scene)),
+      model_(at_rest(scene, panel_, comm)),
+      bound_(scene, panel_) {
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     adapt_time_step();
 }
@@ -31,7 +33,8 @@ TextbookStep::TextbookStep(const scene::Scene& scene, const parallel::Communicat
 void TextbookStep::advance() {
     model_.assembly.start(model_.nodes.force);
     advance_elements();
-    if (steps_ % steps_between_checks == 0) adapt_time_step();
+    const bool stiffened = std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
+    if (stiffened || steps_ >= next_check_) adapt_time_step();
     move_nodes();
     ++steps_;
 }
@@ -47,9 +50,8 @@ void TextbookStep::advance_elements() {
 }
 
 void TextbookStep::adapt_time_step() {
-    double omega_squared = 0;
-    for (const auto& group : model_.groups) omega_squared = std::max(omega_squared, group->frequency_squared());
-    const double bound = safety_ * 2 / std::sqrt(omega_squared);
+    const double bound = safety_ * 2 / std::sqrt(bound_.frequency_squared(model_, {}, comm_));
+    next_check_ = steps_ + bound_.steps_to_next();
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
     dt_ = bound;
     for (const auto& group : model_.groups) group->set_time_step(dt_);

@@ -6,6 +6,7 @@
 
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/solver/model.hpp"
+#include "weavefront/solver/step_bound.hpp"
 
 namespace weavefront::benchmark {
 
@@ -27,11 +28,14 @@ class TextbookStep {
     void adapt_time_step();
     void move_nodes();
 
+    const parallel::Communicator& comm_;
     double safety_;
+    mesh::Panel panel_;
     solver::Model model_;
+    solver::StepBound bound_;
     shell::AlignedVector<double> pack_forces_;
     double dt_ = 0, last_dt_ = 0;
-    std::int64_t steps_ = 0;
+    std::int64_t steps_ = 0, next_check_ = 0;
 };
 
 }  // namespace weavefront::benchmark

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <vector>
 
 #include "base_scene.hpp"
@@ -50,9 +51,8 @@ class State {
 
     [[nodiscard]] Steps time_steps() const {
         auto simulation = at_rest();
-        const double membrane_at_rest = membrane(simulation), at_rest = frequency_squared(simulation.time_step());
         lead(simulation);
-        const double bound = membrane(simulation) + (at_rest - membrane_at_rest);
+        const double bound = solver::StepBound(scene_, simulation.panel()).frequency_squared(simulation.model(), {}, comm_);
         return {2 / std::sqrt(bound), 2 / std::sqrt(largest_eigenvalue())};
     }
 
@@ -60,14 +60,6 @@ class State {
     static constexpr int path_steps = 40;
     // Small against all lengths that matter, the least of them a contact's penetration of some um; the forces still have eight digits.
     static constexpr double difference = 1e-10;
-
-    static double frequency_squared(double dt) { return 4 / (dt * dt); }
-
-    static double membrane(const solver::Simulation& simulation) {
-        double largest = 0;
-        for (const auto& group : simulation.model().groups) largest = std::max(largest, group->frequency_squared());
-        return largest;
-    }
 
     [[nodiscard]] solver::Simulation at_rest() const { return {scene_, comm_}; }
 
@@ -88,7 +80,7 @@ class State {
     void lead(solver::Simulation& simulation) const {
         auto& nodes = simulation.model().nodes;
         nodes.mass.assign(nodes.mass.size(), 1e100);
-        nodes.supports.assign(nodes.supports.size(), 0);  // every force counts, that on planes of symmetry too
+        nodes.supports.assign(nodes.supports.size(), 0);  // they move as the path says
         if (simulation.model().projectile) simulation.model().projectile->velocity.setZero();
         simulation.advance_forces();
         for (int k = 1; k <= path_steps; ++k) step_to(simulation, position(nodes.initial, 1.0 * k / path_steps));
@@ -108,15 +100,21 @@ class State {
         return all;
     }
 
-    /// M^-1 K by columns, with central differences.
+    /// M^-1 K by columns, with central differences; of what is held nothing.
     [[nodiscard]] std::vector<std::vector<double>> tangent() const {
         const auto simulation = at_rest();
         const auto& mass = simulation.model().nodes.mass;
+        const auto held = [&](std::size_t i) { return (simulation.model().nodes.supports[i / 3] >> i % 3 & 1) != 0; };
         std::vector<std::vector<double>> columns;
         for (std::size_t j = 0; j < 3 * mass.size(); ++j) {
+            if (held(j)) {
+                columns.emplace_back(3 * mass.size());
+                continue;
+            }
             auto column = forces(j, -difference);
             const auto ahead = forces(j, difference);
-            for (std::size_t i = 0; i < column.size(); ++i) column[i] = (column[i] - ahead[i]) / (2 * difference * mass[i / 3]);
+            for (std::size_t i = 0; i < column.size(); ++i)
+                column[i] = held(i) ? 0 : (column[i] - ahead[i]) / (2 * difference * mass[i / 3]);
             columns.push_back(std::move(column));
         }
         return columns;
@@ -178,8 +176,7 @@ struct Named {
     const char* name;
     std::vector<std::string> overrides;
     Path path;
-    double least;          ///< bound over the limit of the panel
-    double least_element;  ///< the same of one element
+    double least;  ///< bound over the limit
 };
 
 void PrintTo(const Named& state, std::ostream* out) { *out << state.name; }
@@ -192,19 +189,15 @@ constexpr double too_long = 1e-3;
 
 TEST_P(CriticalStep, IsBoundedFromBelowAndNotFarBelow) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto& [name, overrides, path, least, least_element] = GetParam();
+    const auto& [name, overrides, path, least] = GetParam();
     const auto [bound, limit] = State(overrides, path, comm).time_steps();
-    const auto single = joined(overrides, {"target.size=[2 mm, 2 mm]", "target.symmetry=[x, y]"});
-    const auto [element_bound, element_limit] = State(single, path, comm).time_steps();
-    std::printf("%-20s bound %6.2f ns, limit %6.2f ns, ratio %.3f; one element %.3f\n", name, bound * 1e9, limit * 1e9, bound / limit,
-                element_bound / element_limit);
+    std::printf("%-24s bound %6.2f ns, limit %6.2f ns, ratio %.3f\n", name, bound * 1e9, limit * 1e9, bound / limit);
     EXPECT_LE(bound / limit, 1 + too_long);
     EXPECT_GE(bound / limit, least);
-    EXPECT_LE(element_bound / element_limit, 1 + too_long);
-    EXPECT_GE(element_bound / element_limit, least_element);
 }
 
 const std::string straight = "fabrics.kevlar129.thickness=0", half_crimp = "fabrics.kevlar129.thickness=0.41 mm";
+const std::string held = "target.edges={x: fixed, y: fixed}";
 constexpr double degree = 3.14159265358979 / 180;
 
 std::vector<std::string> pressed_plies(const std::string& count) {
@@ -214,29 +207,72 @@ std::vector<std::string> pressed_plies(const std::string& count) {
 const std::vector<std::string> on_projectile{straight, "target.size=[2 mm, 2 mm]", "contact.projectile={damping: 0}",
                                              "projectile={shape: cylinder, diameter: 8 mm, mass: 1000000 kg, velocity: [0, 0, 1 m/s]}"};
 
-// The bound is that of the worst element with its crossovers held. In a panel the elements cannot all be in their worst mode at once where
-// that mode needs both yarns: fill and warp that stretch together over a crossover that is free, or turn towards each other. There the
-// panel can take longer steps than any of its elements; README.md says more.
+// README.md says where what is left comes from.
 INSTANTIATE_TEST_SUITE_P(
     States, CriticalStep,
-    testing::Values(Named{"straight", {straight}, rest, 0.99, 0.99}, Named{"straight, tight", {straight}, stretch(0.02, 0.02), 0.98, 0.98},
-                    Named{"slack, t = 0.41 mm", {half_crimp}, rest, 0.70, 0.95}, Named{"slack, t = 0.82 mm", {}, rest, 0.65, 0.90},
-                    Named{"fill taut", {half_crimp}, stretch(0.05, 0), 0.85, 0.9},
-                    Named{"both taut", {half_crimp}, stretch(0.02, 0.02), 0.74, 0.9},
-                    Named{"sheared by 60 deg", {straight}, shear(60 * degree), 0.99, 0.99},
-                    Named{"locking", {straight}, shear(67.5 * degree), 0.85, 0.95},
-                    Named{"locked", {straight}, shear(75 * degree), 0.80, 0.99},
-                    Named{"graded", {straight, "target.mesh={center: 0.5 mm, edge: 2 mm, growth: 1.5}"}, rest, 0.85, 0.85},
-                    Named{"pressed, 2 plies", pressed_plies("2"), press(0.1), 0.85, 0.85},
-                    Named{"pressed, 3 plies", pressed_plies("3"), press(0.1), 0.85, 0.85},
-                    Named{"pressed, 8 plies", pressed_plies("8"), press(0.1), 0.85, 0.85},
-                    Named{"on the projectile", on_projectile, press_onto_nose(20e-6), 0.70, 0.70}),
+    testing::Values(Named{"straight", {straight}, rest, 0.99}, Named{"straight, tight", {straight}, stretch(0.02, 0.02), 0.98},
+                    Named{"slack, t = 0.41 mm", {half_crimp}, rest, 0.85}, Named{"slack, t = 0.82 mm", {}, rest, 0.85},
+                    Named{"slack, edges held", {half_crimp, held}, rest, 0.92}, Named{"fill taut", {half_crimp}, stretch(0.05, 0), 0.9},
+                    Named{"both taut", {half_crimp}, stretch(0.02, 0.02), 0.87},
+                    Named{"sheared by 60 deg", {straight}, shear(60 * degree), 0.99},
+                    Named{"locking", {straight}, shear(67.5 * degree), 0.9}, Named{"locked", {straight}, shear(75 * degree), 0.88},
+                    Named{"locked, 2 x 2 elements", {straight, "target.size=[2 mm, 2 mm]"}, shear(75 * degree), 0.85},
+                    Named{"graded", {straight, "target.mesh={center: 0.5 mm, edge: 2 mm, growth: 1.5}"}, rest, 0.85},
+                    Named{"pressed, 2 plies", pressed_plies("2"), press(0.1), 0.98},
+                    Named{"pressed, 3 plies", pressed_plies("3"), press(0.1), 0.98},
+                    Named{"pressed, 8 plies", pressed_plies("8"), press(0.1), 0.98},
+                    Named{"on the projectile", on_projectile, press_onto_nose(20e-6), 0.98}),
     [](const auto& state) {
         std::string name;
         for (const char c : std::string(state.param.name))
             if (std::isalnum(static_cast<unsigned char>(c))) name += c;
         return name;
     });
+
+/// A panel thrown into waves of random lengths and directions, as steep as 45 deg and more, and stretched and sheared by them; pressed
+/// together by a part of its height.
+Path waves(unsigned seed, double strain, double steepness, double pressed_by) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> one(-1, 1);
+    struct Wave {
+        double kx, ky, phase;  // rad/m, rad
+        Vec3 size;             // m
+    };
+    std::vector<Wave> sum;
+    for (int i = 0; i < 6; ++i) {
+        const double kx = 1000 * one(random), ky = 1000 * one(random), length = std::hypot(kx, ky), phase = 3 * one(random);
+        const double x = strain * one(random), y = strain * one(random), z = steepness * one(random);
+        sum.push_back({kx, ky, phase, Vec3(x, y, z) / length});
+    }
+    return [=](double time, const Vec3& x) {
+        Vec3 at = x;
+        at.z() *= 1 - pressed_by * pressed(time);
+        for (const auto& wave : sum) at += time * std::sin(wave.kx * x.x() + wave.ky * x.y() + wave.phase) * wave.size;
+        return at;
+    };
+}
+
+TEST(CriticalStepOfWaves, IsBoundedFromBelow) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const std::vector<std::vector<std::string>> scenes{
+        {}, {half_crimp}, {half_crimp, held}, {straight, held}, {"target.mesh={center: 0.5 mm, edge: 2 mm, growth: 1.5}", held}};
+    double sum = 0, count = 0;
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        const auto& overrides = scenes[seed % scenes.size()];
+        const auto [bound, limit] = State(overrides, waves(seed, 0.02, seed % 4 == 0 ? 0.0 : 0.5, 0), comm).time_steps();
+        EXPECT_LE(bound / limit, 1 + too_long) << seed;
+        std::printf("waves %2u                 ratio %.3f\n", seed, bound / limit);
+        sum += bound / limit, ++count;
+    }
+    for (unsigned seed = 10; seed < 14; ++seed) {
+        const auto stack = joined(pressed_plies("3"), {seed % 2 == 0 ? half_crimp : straight, "target.size=[4 mm, 4 mm]"});
+        const auto [bound, limit] = State(stack, waves(seed, 0.02, 0.1 * (seed - 9), 0.1), comm).time_steps();
+        EXPECT_LE(bound / limit, 1 + too_long) << seed;
+        std::printf("waves of 3 plies %2u      ratio %.3f\n", seed, bound / limit);
+        sum += bound / limit, ++count;
+    }
+    EXPECT_GT(sum / count, 0.8);
+}
 
 }  // namespace
 

@@ -83,6 +83,13 @@ inline constexpr double smallest_packed_angle = 1.0;
     return c;
 }
 
+/// How strongly the stretches of fill and warp are coupled through a free crossover at rest: the mixed second derivative of the yarns'
+/// energy per reference area, k cos^2 beta/4 with k = S Ka/L, N/m. None between straight yarns.
+[[nodiscard]] inline double coupling_at_rest(const Constants& c) {
+    const double cosine = c.span / 2 * c.inverse_length;
+    return c.thickness > 0 ? c.instant_modulus * c.area * c.inverse_length * cosine * cosine / 4 : 0.0;
+}
+
 /// What depends on the time step only: sigma^{n+1} = sigma^n + relaxed (E1 eps^n - sigma^n) + modulus (eps^{n+1} - eps^n).
 struct Step {
     double relaxed = 0;  ///< part of the way to the static stress, 1

@@ -12,9 +12,10 @@ namespace weavefront::fabric {
 /// (yarn_f + lateral)|dg_f|^2 + (yarn_w + lateral)|dg_w|^2 + angle dpsi^2, where dpsi^2 <= 2 (|dg_f|^2/lambda_f^2 + |dg_w|^2/lambda_w^2).
 template <class Real>
 struct Stiffness {
-    Real yarn_f, yarn_w;  ///< along and across the yarns
-    Real lateral;         ///< packing, on either yarn
-    Real angle;           ///< on the angle between the yarns
+    Real yarn_f, yarn_w;      ///< along and across the yarns
+    Real lateral;             ///< packing, on either yarn
+    Real angle;               ///< on the angle between the yarns
+    Real across_f, across_w;  ///< the same for changes out of the plane: at most across_f |dg_f|^2 + across_w |dg_w|^2
 };
 
 /// Instantaneous tangent of a state, bounded from above (see README.md, "Stiffness"):
@@ -24,19 +25,21 @@ struct Stiffness {
 /// - packing: e_f = ln lambda_w + ln sin psi couples stretch and angle; (x + y)^2 <= 2 x^2 + 2 y^2 separates them. Unpacking lets p go at a
 ///   rate dalpha/dpsi = 1/(2 Dtheta), as a spring of p/(2 alpha Dtheta) would.
 /// - angle: packing with its geometric |p|/sin^2 psi, friction while it sticks, and the geometric |m|/2 (|cot psi| + 1/sin psi) of yarns
-/// that tilt out of plane. The paper's stresses derive from no energy; there the same terms are an estimate, with the factor lambda sin 2
-/// theta by which its yarn force exceeds the conjugate one, and the shear gamma_12 = dpsi + cot psi (dln lambda_f - dln lambda_w) of both
-/// yarns.
+/// that tilt out of plane.
+/// - out of the plane: |n|/lambda^2 and that same moment, cot psi (z_f^2 + z_w^2) - 2 z_f z_w/sin psi with z = dg/lambda, whose mixed term
+/// is at most (z_f^2 + z_w^2)/sin psi. The paper's stresses derive from no energy; there the same terms are an estimate, with the factor
+/// lambda sin 2 theta by which its yarn force exceeds the conjugate one, and the shear gamma_12 = dpsi + cot psi (dln lambda_f - dln
+/// lambda_w) of both yarns.
 template <Features F, class Real>
 [[nodiscard]] WEAVEFRONT_INLINE Stiffness<Real> stiffness_bound(const Constants& c, const State<Real>& state) {
     const double yarn = c.instant_modulus * c.area / c.span * (0.5 * c.span * c.inverse_length);
     const Real inverse_f = 1.0 / state.lambda_f, inverse_w = 1.0 / state.lambda_w;
-    Stiffness<Real> k{.yarn_f = yarn, .yarn_w = yarn, .lateral = 0.0, .angle = 0.0};
+    Stiffness<Real> k{.yarn_f = yarn, .yarn_w = yarn, .lateral = 0.0, .angle = 0.0, .across_f = 0.0, .across_w = 0.0};
     if constexpr (F.failure) {
         k.yarn_f *= state.intact_f;
         k.yarn_w *= state.intact_w;
     }
-    Real turn = 0.0;  // |m|
+    Real turn = 0.0, tilting = 0.0;  // |m|, and what it holds of yarns that tilt out of the plane
     if constexpr (F.follows_angle()) {
         const Trellis<Real> trellis = trellis_of(state.cos_2theta);
         const Real inverse_sine = 1.0 / trellis.sin_2theta;
@@ -69,7 +72,8 @@ template <Features F, class Real>
             turn += abs(state.friction_moment) * (2.0 * per_cell);
         }
         if constexpr (F.friction && F.paper()) turn += abs(state.friction_turn);
-        k.angle += 0.5 * turn * (cot + inverse_sine);
+        tilting = 0.5 * turn * (cot + inverse_sine);
+        k.angle += tilting;
     }
     Real packing_f = 0.0, packing_w = 0.0;
     if constexpr (F.lateral && !F.paper()) {
@@ -81,6 +85,8 @@ template <Features F, class Real>
     const Real n_w = abs(state.N_w * state.lambda_w - packing_w) + abs(packing_w);
     k.yarn_f += (n_f + 0.5 * turn) * inverse_f * inverse_f;
     k.yarn_w += (n_w + 0.5 * turn) * inverse_w * inverse_w;
+    k.across_f = (n_f + tilting) * inverse_f * inverse_f;
+    k.across_w = (n_w + tilting) * inverse_w * inverse_w;
     return k;
 }
 

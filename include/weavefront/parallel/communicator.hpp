@@ -45,6 +45,8 @@ class Communicator {
     [[nodiscard]] double min(double value) const;
     /// Largest value over the ranks. @note Collective
     [[nodiscard]] double max(double value) const;
+    /// Largest values over the ranks, in place. @note Collective
+    void max(std::span<double> values) const;
     /// Smallest values over the ranks, in place. @note Collective
     void min(std::span<std::int64_t> values) const;
     /// True on all ranks if true on any. @note Collective

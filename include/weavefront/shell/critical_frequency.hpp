@@ -2,16 +2,40 @@
 /// @file
 /// Bound on the highest frequency of an element.
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "weavefront/fabric/stiffness.hpp"
-#include "weavefront/fabric/tangent.hpp"
 #include "weavefront/shell/hourglass.hpp"
 #include "weavefront/shell/quad.hpp"
-#include "weavefront/shell/symmetric_eigenvalue.hpp"
 
 namespace weavefront::shell {
+
+/// Bounds on omega^2 of an element with a quarter of its mass on each node, 1/s2. By the element eigenvalue inequality their maxima over
+/// the elements bound the whole model.
+template <class Real>
+struct Frequencies {
+    Real along = 0.0;      ///< of motion in the element's plane
+    Real across = 0.0;     ///< of motion out of it
+    Real hourglass = 0.0;  ///< of the hourglass modes in the plane, which `along` counts
+};
+
+/// The bound on uniform deformation and hourglass modes together: these are orthogonal in parallelograms.
+template <class Real>
+WEAVEFRONT_INLINE Real with_hourglass(const fabric::MaskOf<Real>& parallelogram, const Real& uniform, const Real& modes) {
+    using fabric::max;
+    using fabric::select;
+    return select(parallelogram, max(modes, uniform), Real(uniform + modes));
+}
+
+/// omega^2 in steps of two to four thousandths, upwards: an element that is no worse than one before it need not be computed then, and the
+/// time step does not follow the rounding of the state.
+inline double in_steps(double omega_squared) {
+    constexpr double steps = 512;
+    int exponent = 0;
+    const double fraction = std::frexp(omega_squared, &exponent);
+    return std::ldexp(std::ceil(fraction * steps) / steps, exponent);
+}
 
 /// Largest eigenvalue of M G for symmetric positive 2x2 matrices given as {11, 12, 22}.
 template <class Real>
@@ -23,61 +47,37 @@ WEAVEFRONT_INLINE Real largest_eigenvalue(const std::array<Real, 3>& M, const st
     return trace * 0.5 + sqrt(max(Real(0.0), Real(trace * trace * 0.25 - determinant)));
 }
 
-/// B_f . B_f, B_f . B_w and B_w . B_w over the corners, 1/m2.
+/// B_f . B_f, B_f . B_w and B_w . B_w over the corners, each over the corner's part of the element's mass, 1/m2.
+/// @param w13, w24 inverse parts of corners 1 and 3, 2 and 4: 1 where each has a quarter
 template <class Real>
-WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad) {
-    return {2.0 * (quad.Bf1 * quad.Bf1 + quad.Bf2 * quad.Bf2), 2.0 * (quad.Bf1 * quad.Bw1 + quad.Bf2 * quad.Bw2),
-            2.0 * (quad.Bw1 * quad.Bw1 + quad.Bw2 * quad.Bw2)};
+WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad, const Real& w13 = 1.0, const Real& w24 = 1.0) {
+    const Real f1 = w13 * quad.Bf1, f2 = w24 * quad.Bf2;
+    return {2.0 * (f1 * quad.Bf1 + f2 * quad.Bf2), 2.0 * (f1 * quad.Bw1 + f2 * quad.Bw2),
+            2.0 * (w13 * quad.Bw1 * quad.Bw1 + w24 * quad.Bw2 * quad.Bw2)};
 }
 
-/// The membrane's omega^2 and the hourglass modes', which are orthogonal to it in a parallelogram (the larger counts); otherwise the two
-/// are added.
-template <class Real>
-WEAVEFRONT_INLINE Real with_hourglass(const Real& membrane, const Quad<Real>& quad, const HourglassStiffness& hourglass,
-                                      double areal_density) {
-    using fabric::max;
-    using fabric::select;
-    const Real gamma_squared = (2.0 + quad.e1 * quad.e1 + quad.e2 * quad.e2) * 0.125;
-    const Real modes = 4 * max(hourglass.in_plane, hourglass.warping) * quad.shape * gamma_squared / (areal_density * quad.area);
-    const auto parallelogram = (quad.e1 == 0.0) & (quad.e2 == 0.0);
-    return select(parallelogram, max(modes, membrane), membrane + modes);
-}
-
-/// Bound on omega^2 of an element with a quarter of its mass on each node; by the element eigenvalue inequality its maximum over the
-/// elements bounds the whole model.
+/// From bounds k of the cell's tangent with crossovers held.
 ///
-/// The membrane's quadratic form is at most sum M_ij |dg_i| |dg_j| over the yarn vectors with M from the tangent bounds k of the cell:
+/// In the plane the quadratic form of uniform deformation is at most sum M_ij |dg_i| |dg_j| over the yarn vectors with
 /// M_ff = k_f + k_lateral + k_angle/lambda_f^2, M_fw = k_angle/(lambda_f lambda_w), because |d(2 theta)| <= |dg_f|/lambda_f +
-/// |dg_w|/lambda_w.
-/// With dg = B du and G = B B^T the frequency is 4 lambda_max(M G)/areal density.
+/// |dg_w|/lambda_w. With dg = B du and G = B B^T the frequency is 4 lambda_max(M G)/areal density; out of the plane, where it is small, the
+/// trace takes the eigenvalue's place.
 template <class Real>
-WEAVEFRONT_INLINE Real critical_frequency_squared(const Quad<Real>& quad, const fabric::Stiffness<Real>& k,
-                                                  const fabric::State<Real>& state, const HourglassStiffness& hourglass,
-                                                  double areal_density) {
+WEAVEFRONT_INLINE Frequencies<Real> critical_frequencies(const Quad<Real>& quad, const fabric::Stiffness<Real>& k,
+                                                         const fabric::State<Real>& state, const HourglassStiffness& hourglass,
+                                                         double areal_density) {
     const Real f = 1.0 / state.lambda_f, w = 1.0 / state.lambda_w;
-    const std::array<Real, 3> M{k.yarn_f + k.lateral + k.angle * f * f, k.angle * f * w, k.yarn_w + k.lateral + k.angle * w * w};
+    const double scale = 4 / areal_density;
     auto G = gradient_products(quad);
     G[1] = abs(G[1]);
-    return with_hourglass(Real(4.0 * largest_eigenvalue(M, G) / areal_density), quad, hourglass, areal_density);
-}
-
-/// The same from the exact largest eigenvalue of B^T T B with the tangent T of the cell: no more than the bound above wherever yarns are
-/// packed or taut, at some ten times its cost.
-inline double critical_frequency_squared(const Quad<double>& quad, const fabric::Tangent& t, const HourglassStiffness& hourglass,
-                                         double areal_density) {
-    // B B^T = L L^T in blocks of 2 x 2, where R turns the warp's axes into the fill's.
-    const auto G = gradient_products(quad);
-    const double l11 = std::sqrt(G[0]), l21 = G[1] / l11, l22 = std::sqrt(std::max(G[2] - l21 * l21, 0.0));
-    const Matrix4 L{{{l11, 0, 0, 0}, {0, l11, 0, 0}, {l21 * t.cosine, l21 * t.sine, l22, 0}, {-l21 * t.sine, l21 * t.cosine, 0, l22}}};
-    Matrix4 TL{}, LTL{};
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            for (std::size_t k = 0; k < 4; ++k) TL[i][j] += t.plane[i][k] * L[k][j];
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j)
-            for (std::size_t k = 0; k < 4; ++k) LTL[i][j] += L[k][i] * TL[k][j];
-    const double largest = std::max(largest_eigenvalue(LTL), largest_eigenvalue(t.normal, G));
-    return with_hourglass(4 * largest / areal_density, quad, hourglass, areal_density);
+    const std::array<Real, 3> M{k.yarn_f + k.lateral + k.angle * f * f, k.angle * f * w, k.yarn_w + k.lateral + k.angle * w * w};
+    const auto parallelogram = (quad.e1 == 0.0) & (quad.e2 == 0.0);
+    const Real gamma_squared = (2.0 + quad.e1 * quad.e1 + quad.e2 * quad.e2) * 0.125,
+               modes = scale * gamma_squared * quad.shape / quad.area;
+    const Real in_plane = hourglass.in_plane * modes;
+    return {with_hourglass(parallelogram, Real(scale * largest_eigenvalue(M, G)), in_plane),
+            with_hourglass(parallelogram, Real(scale * (k.across_f * G[0] + k.across_w * G[2])), Real(hourglass.warping * modes)),
+            in_plane};
 }
 
 }  // namespace weavefront::shell

@@ -3,16 +3,20 @@
 /// The elements of one fabric on one rank, in packs of eight.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "weavefront/fabric/features.hpp"
+#include "weavefront/fabric/vectors.hpp"
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/shell/aligned_vector.hpp"
 #include "weavefront/shell/hourglass.hpp"
+#include "weavefront/shell/lending.hpp"
 #include "weavefront/shell/pack_blocks.hpp"
 #include "weavefront/shell/quad.hpp"
 #include "weavefront/shell/repeated_quads.hpp"
@@ -92,8 +96,33 @@ class ElementGroup {
     virtual void advance(std::int32_t first, std::int32_t count, std::span<const Eigen::Vector3d> x, std::span<double> forces,
                          Events& events) = 0;
 
-    /// Bound on the squared frequency over the alive elements, from the instantaneous stiffness in the present state, 1/s2.
-    [[nodiscard]] virtual double frequency_squared() const = 0;
+    /// Bounds on the squared frequencies over the alive elements, from the instantaneous stiffness in the present state with all crossovers
+    /// held.
+    [[nodiscard]] virtual Frequencies<double> frequencies() const = 0;
+
+    /// Whether `sharpen` may find less by free crossovers and a coupling of fill and warp: yarns are crimped, in the consistent
+    /// formulation.
+    [[nodiscard]] virtual bool is_crimped() const = 0;
+    /// Whether it may by lent mass: yarns are packed.
+    [[nodiscard]] virtual bool is_packed() const = 0;
+
+    /// Raises sharper bounds on `along` for each of `lendings` by those of the alive elements, with the crossovers that are free let go.
+    /// @param x positions of the local nodes, m
+    void sharpen(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const;
+
+    /// From now on `advance` notes whether an element's `straightness` comes above a limit, 1/s2. Infinite: it does not look.
+    void watch_straightening(double limit) {
+        straightness_limit_ = limit;
+        was_packed_ = is_packed();
+    }
+    /// Whether it did, in the last step of all of it, or whether the first yarns have been packed since.
+    [[nodiscard]] bool has_stiffened() const {
+        return has_straightened_ || (straightness_limit_ < std::numeric_limits<double>::infinity() && is_packed() && !was_packed_);
+    }
+
+    /// Least n |n| over the alive elements, n the cosine of the angle between the element's normal and `axis`, of unit length; at most
+    /// `known`. It stops looking where it finds less than `enough`. @param x positions of the local nodes, m
+    [[nodiscard]] double least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis, double known, double enough);
 
     /// Number of alive elements that are folded over themselves. @param x positions of the local nodes, m
     [[nodiscard]] virtual std::int64_t inverted(std::span<const Eigen::Vector3d> x) const = 0;
@@ -111,6 +140,9 @@ class ElementGroup {
     Events::Erosion erode(std::int32_t index);
 
   protected:
+    /// The same of uniform deformation alone.
+    virtual void sharpen_uniform(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const = 0;
+
     ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, const StateSizes& sizes);
 
     /// Reference geometry of an element, eroded or not.
@@ -121,6 +153,16 @@ class ElementGroup {
         const auto pack = static_cast<std::size_t>(index / pack_width), lane = static_cast<std::size_t>(index % pack_width);
         return (pack * static_cast<std::size_t>(changing_fields_) + static_cast<std::size_t>(field)) * pack_width + lane;
     }
+    /// Corners of a pack's elements.
+    [[nodiscard]] WEAVEFRONT_INLINE std::array<Vector<fabric::Pack>, 4> gather(std::int32_t pack,
+                                                                               std::span<const Eigen::Vector3d> x) const {
+        std::array<Vector<fabric::Pack>, 4> corners;
+        for (std::size_t a = 0; a < 4; ++a) {
+            const auto [px, py, pz] = fabric::gather_vectors(x[0].data(), nodes(pack)[a]);
+            corners[a] = {px, py, pz};
+        }
+        return corners;
+    }
     void take_out(std::int32_t index) { damage_.set(index / pack_width, alive_field, index % pack_width, 0); }
 
     /// Of damage_: 1, or 0 once the element is eroded. The fabric's flags follow it.
@@ -128,12 +170,15 @@ class ElementGroup {
 
     std::int32_t size_, packs_;
     HourglassStiffness hourglass_;
+    bool parallelograms_ = true;  ///< all of the elements
     double areal_density_ = 0;
     std::vector<std::array<std::array<std::int32_t, pack_width>, 4>> nodes_;
     RepeatedQuads quads_;
     AlignedVector<double> state_, hourglass_energy_;
     PackBlocks packing_;  ///< zeros in packs whose yarns do not pack
     PackBlocks damage_;   ///< ones in packs that are whole
+    double straightness_limit_ = std::numeric_limits<double>::infinity();
+    bool has_straightened_ = false, was_packed_ = false;
 
   private:
     /// Elements of consecutive local indices.
@@ -143,6 +188,7 @@ class ElementGroup {
 
     int changing_fields_;
     std::vector<Run> runs_;
+    std::int32_t steepest_ = 0;  // pack in which least_facing found enough, to start from
 };
 
 /// The group with exactly the features that the fabric asks for.

@@ -47,6 +47,9 @@ class PackBlocks {
         place = -1;
     }
 
+    /// Whether any pack has a block.
+    [[nodiscard]] bool any() const { return blocks_.size() > free_.size() * block_; }
+
     [[nodiscard]] int fields() const { return static_cast<int>(block_) / fabric::pack_width; }
     [[nodiscard]] double get(std::int32_t pack, int field, int lane) const {
         const double* block = find(pack);

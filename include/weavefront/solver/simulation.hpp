@@ -12,6 +12,7 @@
 #include "weavefront/solver/balance.hpp"
 #include "weavefront/solver/model.hpp"
 #include "weavefront/solver/phases.hpp"
+#include "weavefront/solver/step_bound.hpp"
 
 namespace weavefront::solver {
 
@@ -98,11 +99,13 @@ class Simulation {
     mesh::Panel panel_;
     Model model_;
     double multiplicity_;
+    StepBound step_bound_;
     std::vector<std::size_t> held_;  // nodes with a support
 
     double time_ = 0, dt_ = 0, last_dt_ = 0;  // last_dt_: from the last state to this one
     std::int64_t steps_ = 0;
-    double contact_frequency_squared_ = 0;
+    std::int64_t next_check_ = 0;  // step at which the time step is adapted again
+    bool stiffened_ = false;       // yarns of any rank, so far that this has to be done now
 
     FixedVector on_projectile_{};
     Vec3 projectile_force_{0, 0, 0}, initial_projectile_{0, 0, 0};

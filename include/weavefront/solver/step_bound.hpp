@@ -1,0 +1,82 @@
+#pragma once
+/// @file
+/// Bound on the highest frequency of the whole model, from which the time step follows.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "weavefront/contact/surface.hpp"
+#include "weavefront/mesh/panel.hpp"
+#include "weavefront/parallel/communicator.hpp"
+#include "weavefront/scene/scene.hpp"
+#include "weavefront/solver/model.hpp"
+
+namespace weavefront::solver {
+
+/// Bound on omega^2 of fabric and contact together, 1/s2.
+///
+/// The fabric resists motion in its elements' planes, contact motion along its direction. Where that is the normal of the elements, the
+/// larger counts; in between the eigenvalue of the two by two matrix of motion along and across.
+/// @param along, across of the fabric, in its elements' planes and out of them, 1/s2
+/// @param contact       of contact, 1/s2
+/// @param sine_squared  of the largest angle between a normal of an element and a direction of contact
+[[nodiscard]] double joint_frequency_squared(double along, double across, double contact, double sine_squared);
+
+/// The part `along` of a given bound, 1/s2: the inverse of joint_frequency_squared; 0: none.
+[[nodiscard]] double in_plane_of_joint(double joint, double across, double contact, double sine_squared);
+
+/// By how much the omega^2 of a ply with free edges may be above that of an element inside it when all of them lend the area's second
+/// variation, 1/s2: what is left on the edges is c u_i x u_j of neighbouring nodes.
+/// @param inside of an element inside, less its hourglass modes, 1/s2
+/// @param lent   4 c over the mass of an element on the edge, 1/s2
+[[nodiscard]] double excess_on_edge(double inside, double lent);
+/// The same at a corner between two free edges.
+[[nodiscard]] double excess_at_corner(double inside, double lent);
+
+/// The bound, by the scene's contact and the present state of the elements.
+class StepBound {
+  public:
+    StepBound(const scene::Scene& scene, const mesh::Panel& panel);
+
+    /// omega^2, 1/s2. The groups are told what to watch until it is asked for again.
+    /// @param pairs in contact at present
+    /// @note Collective
+    [[nodiscard]] double frequency_squared(Model& model, std::span<const contact::PairForce> pairs, const parallel::Communicator& comm);
+
+    /// In how many steps it should be asked for again at the latest. In between it changes by far less than a safety factor leaves.
+    [[nodiscard]] std::int64_t steps_to_next() const { return steps_to_next_; }
+
+    /// Tells the groups again, which are new ones.
+    void watch(Model& model) const;
+
+  private:
+    /// Of the elements in whose place a coupling leaves something on a free edge.
+    struct FreeEdges {
+        double edge = std::numeric_limits<double>::infinity(), corner = edge;  ///< least areas, m2
+        bool too_near = false;                                                 ///< an element has two free edges opposite each other
+    };
+
+    static FreeEdges free_edges(const mesh::Panel& panel);
+    [[nodiscard]] Vec3 axis_of(const Model& model, const parallel::Communicator& comm) const;
+    static double sine_squared_to_contact(Model& model, const Vec3& axis, std::span<const contact::PairForce> pairs,
+                                          const parallel::Communicator& comm);
+    double sharpened(Model& model, const shell::SharpeningStart& start, double held, const parallel::Communicator& comm);
+    void choose_lendings(bool crimped, bool packed, shell::SharpeningStart& start) const;
+
+    std::array<std::int64_t, 3> corners_;  // of the first ply, away from planes of symmetry: global nodes, counter-clockwise
+    double contact_;                       // omega^2, 1/s2
+    double coupling_at_rest_;              // 4 c over the areal density, m2/s2
+    double smallest_area_;                 // m2
+    FreeEdges free_edges_;
+    std::int64_t steps_to_next_ = 0;
+    double straightness_limit_ = std::numeric_limits<double>::infinity();
+
+    // What the last attempts to sharpen found: the bounds, 0 where none was sought; which lending was best, none: -1; their number; and how
+    // many times none is made, now and after the next one in vain.
+    std::array<double, shell::lendings.size()> last_{};
+    int best_ = -1, attempts_ = 0, waits_ = 0, will_wait_ = 1;
+};
+
+}  // namespace weavefront::solver

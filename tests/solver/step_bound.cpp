@@ -1,0 +1,104 @@
+#include "weavefront/solver/step_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "small_scene.hpp"
+
+namespace weavefront::solver::test {
+
+namespace {
+
+using Matrix8 = std::array<std::array<double, 8>, 8>;
+
+/// By powers of the matrix, moved so far that none of its eigenvalues is negative.
+double largest_eigenvalue(const Matrix8& K, double shift) {
+    std::array<double, 8> v{};
+    for (std::size_t i = 0; i < 8; ++i) v[i] = std::sin(1.0 + 7.0 * static_cast<double>(i));
+    double value = 0;
+    for (int k = 0; k < 20000; ++k) {
+        std::array<double, 8> w{};
+        double along = 0, length = 0, before = 0;
+        for (std::size_t i = 0; i < 8; ++i) {
+            w[i] = shift * v[i];
+            for (std::size_t j = 0; j < 8; ++j) w[i] += K[i][j] * v[j];
+            along += w[i] * v[i], length += w[i] * w[i], before += v[i] * v[i];
+        }
+        value = along / before - shift;
+        for (std::size_t i = 0; i < 8; ++i) v[i] = w[i] / std::sqrt(length);
+    }
+    return value;
+}
+
+/// Largest eigenvalue of an element of omega^2 `inside` in all uniform modes, with c u_i x u_j on some of its edges: 4 c over its mass is
+/// `lent`, the unknowns are x and y of the four corners. Of the corners' values the gradients see the differences of opposite ones.
+double with_free_edges(double inside, double lent, const std::vector<std::pair<std::size_t, std::size_t>>& edges) {
+    Matrix8 K{};
+    for (std::size_t i = 0; i < 8; ++i) K[i][i] = inside / 2, K[i][i ^ 2] = -inside / 2;
+    for (const auto& [i, j] : edges) {
+        K[i][4 + j] += lent / 2, K[4 + j][i] += lent / 2;
+        K[4 + i][j] -= lent / 2, K[j][4 + i] -= lent / 2;
+    }
+    return largest_eigenvalue(K, 2 * lent);
+}
+
+}  // namespace
+
+TEST(JointFrequency, IsTheEigenvalueOfAlongAndAcross) {
+    for (const double along : {0.2, 1.0, 3.0})
+        for (const double across : {0.0, 0.1, 0.5})
+            for (const double angle : {0.0, 0.3, 1.0, 1.5707963267948966}) {
+                const double contact = 1.3, s = std::sin(angle), c = std::cos(angle);
+                const double a = along + contact * s * s, b = across + contact * c * c;
+                const double exact = (a + b) / 2 + std::hypot((a - b) / 2, contact * s * c);
+                const double bound = joint_frequency_squared(along, across, contact, s * s);
+                if (along > across) {
+                    EXPECT_NEAR(bound, exact, 1e-14 * exact) << along << " " << across << " " << angle;
+                    const double back = in_plane_of_joint(bound, across, contact, s * s);
+                    EXPECT_NEAR(bound > across + contact * (1 + 1e-9) ? back : along, along, 1e-9) << across << " " << angle;
+                } else {
+                    EXPECT_GE(bound, exact * (1 - 1e-14));  // the angle may also be less
+                }
+            }
+}
+
+TEST(FreeEdges, AddTheEigenvalueOfWhatIsLeftOnThem) {
+    for (const double inside : {0.0, 0.1, 1.0, 20.0})
+        for (const double lent : {0.05, 1.0, 3.0}) {
+            const double edge = with_free_edges(inside, lent, {{0, 1}}), corner = with_free_edges(inside, lent, {{3, 0}, {0, 1}});
+            EXPECT_NEAR(inside + excess_on_edge(inside, lent), edge, 1e-9 * edge);  // the power iteration's
+            const double bound = inside + excess_at_corner(inside, lent);
+            EXPECT_GE(bound, corner * (1 - 1e-9)) << inside << " " << lent;
+            EXPECT_LE(bound, corner + 1e-3 * lent) << inside << " " << lent;  // six steps of a contraction by a sixth at the least
+        }
+}
+
+/// Slack yarns that are pulled straight within 20 steps. Between two checks a step may be longer than the present state allows by half of
+/// what the safety factor leaves.
+TEST(StepBound, ShortensTheStepBeforeSlackYarnsAreStraight) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const auto scene =
+        scene_with({"projectile=", "contact=", "fabrics.kevlar129.thickness=0.82 mm",
+                    "fabrics.kevlar129.lateral=", "fabrics.kevlar129.friction=", "target.edges={x: free, y: fixed}", "time.safety=0.9"});
+    Simulation simulation(scene, comm);
+    const double rate = 2e4;  // 1/s
+    set_motion(
+        simulation, [](const Vec3& x) { return x; }, [&](const Vec3& x) { return Vec3(rate * x.x(), 0, 0); });
+    const double longest = simulation.time_step();
+    double shortest = longest;
+    for (int n = 0; n < 60; ++n) {
+        simulation.advance_forces();
+        const double fresh = StepBound(scene, simulation.panel()).frequency_squared(simulation.model(), {}, comm);
+        const double allowed = scene.time.safety * 2 / std::sqrt(fresh);
+        EXPECT_LE(simulation.time_step(), allowed * 1.05) << n;
+        shortest = std::min(shortest, simulation.time_step());
+        simulation.integrate();
+    }
+    EXPECT_LT(shortest, 0.75 * longest);  // they were slack, and became straight
+}
+
+}  // namespace weavefront::solver::test

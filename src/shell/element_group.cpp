@@ -68,11 +68,11 @@ double ElementGroup::least_facing(std::span<const Eigen::Vector3d> x, const Eige
         const auto corners = gather(pack, x);
         const auto normal = cross(corners[2] - corners[0], corners[3] - corners[1]);
         const Pack along = normal.x * axis.x() + normal.y * axis.y() + normal.z * axis.z();
-        const Pack facing = along * fabric::abs(along), square = dot(normal, normal);
-        if (!fabric::any(facing < known * square)) continue;
+        const Pack facing = along * fabric::abs(along) / dot(normal, normal);  // not a number where the element has no area
+        if (!fabric::any(facing < known)) continue;
         for (int lane = 0; lane < pack_width; ++lane) {
             const auto index = pack * pack_width + lane;
-            if (square.get(lane) > 0 && index < size_ && alive(index)) known = std::min(known, facing.get(lane) / square.get(lane));
+            if (facing.get(lane) < known && index < size_ && alive(index)) known = facing.get(lane);
         }
         if (!(known > enough)) steepest_ = pack;
     }
@@ -92,6 +92,15 @@ void ElementGroup::save(std::int32_t index, std::vector<double>& record) const {
 }
 
 std::span<const double> ElementGroup::restore(std::int32_t index, std::span<const double> record) {
+    for (auto filling = size_; filling < packs_ * pack_width; ++filling)
+        if (filling % quads_.period() == index) {
+            write(filling, record);
+            if (damage_.fields() > 0) take_out(filling);
+        }
+    return write(index, record);
+}
+
+std::span<const double> ElementGroup::write(std::int32_t index, std::span<const double> record) {
     std::size_t at = 0;
     for (int field = 0; field < changing_fields_; ++field) state_[slot(index, field)] = record[at++];
     for (auto* blocks : {&packing_, &damage_})

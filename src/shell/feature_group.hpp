@@ -41,7 +41,7 @@ class FeatureGroup final : public ElementGroup {
         for_packs(first, count, [&](std::int32_t pack, std::int32_t at) {
             advance_pack(pack, at, x, forces.data() + static_cast<std::size_t>(pack - first) * forces_per_pack, events);
             if constexpr (F.crimp && !F.paper())
-                if (straightness_limit_ < std::numeric_limits<double>::infinity()) note_straightening(pack, at);
+                if (watch_.straightness < std::numeric_limits<double>::infinity()) note_straightening(pack, at);
         });
     }
 
@@ -140,7 +140,7 @@ class FeatureGroup final : public ElementGroup {
         const auto state = load(pack, quad);
         const auto alive = quad.area > 0.0;
         for (const auto& yarn : straightness(quad, state))
-            has_straightened_ = has_straightened_ || fabric::any(alive & (yarn.numerator > straightness_limit_ * yarn.denominator));
+            has_straightened_ = has_straightened_ || fabric::any(alive & (yarn.numerator > watch_.straightness * yarn.denominator));
     }
 
     /// A pack on the way to its sharper bounds.
@@ -149,7 +149,7 @@ class FeatureGroup final : public ElementGroup {
         MembraneForm<Pack> form;
         Pack c;       ///< coupling as seen in the element's plane, N/m
         Pack tilted;  ///< square of what the coupling makes of the element's tilt, between motion along and across, 1/s4
-        Pack across;
+        double across;
 
         /// Whether omega_squared is no bound.
         [[nodiscard]] WEAVEFRONT_INLINE fabric::Mask above(double omega_squared) const {
@@ -165,8 +165,8 @@ class FeatureGroup final : public ElementGroup {
             const MembraneForm<double> of_lane{get(form.ff11), get(form.ff12), get(form.ff22), get(form.fw11),
                                                get(form.fw12), get(form.fw21), get(form.fw22), get(form.ww11),
                                                get(form.ww12), get(form.ww22), get(form.area)};
-            const double in_plane = largest_eigenvalue(of_lane, get(c)), half = (in_plane - get(across)) / 2;
-            const double both = get(tilted) > 0 ? (in_plane + get(across)) / 2 + std::sqrt(half * half + get(tilted)) : in_plane;
+            const double in_plane = largest_eigenvalue(of_lane, get(c)), half = (in_plane - across) / 2;
+            const double both = get(tilted) > 0 ? (in_plane + across) / 2 + std::sqrt(half * half + get(tilted)) : in_plane;
             return in_steps(both * (1 - 1e-12));
         }
     };
@@ -188,30 +188,29 @@ class FeatureGroup final : public ElementGroup {
         const Pack tiny = std::numeric_limits<double>::min(), length = sqrt(fabric::max(dot(normal, normal), tiny));
         const Pack inverse = 1.0 / fabric::max(Pack(state.lambda_f * state.lambda_w), tiny);
         const Pack cosine = dot(k.g_f, k.g_w) * inverse, sine = length * inverse;
-        const Pack facing = (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
+        const Pack lean = (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
         const auto even = membrane_form(tangent, cosine, sine, gradient_products(quad), areal_density_);
         for (std::size_t i = 0; i < lendings.size(); ++i) {
             if (bounds.along[i] >= start.limit) continue;
             const double c = lendings[i].coupling * coupling_at_rest_, m = lendings[i].mass;
-            Sharpened sharpened{.alive = alive, .form = even, .c = c * facing, .tilted = 0.0, .across = start.across};
+            Sharpened sharpened{.alive = alive, .form = even, .c = c * lean, .tilted = 0.0, .across = start.across};
             if (c > 0) {
                 const Pack area = c * even.area;
-                sharpened.tilted = area * area * fabric::max(Pack(1.0 - facing * facing), Pack(0.0));
+                sharpened.tilted = area * area * fabric::max(Pack(1.0 - lean * lean), Pack(0.0));
             }
             if (m != 0) lend(std::abs(m), m > 0, quad, tangent, cosine, sine, start.smallest_area, sharpened);
             raise(bounds.along[i], sharpened, start.limit);
         }
     }
 
-    /// Lends mass. A corner of the panel has no neighbour that would lend to it: its part there stays a quarter, which is allowed for in
-    /// every element.
+    /// Lends mass. A corner of the panel has no neighbour that would lend to it: its part there stays a quarter, which is allowed for at
+    /// one corner of every element.
     void lend(double part, bool to_first, const Quad<Pack>& quad, const fabric::Tangent<Pack>& tangent, const Pack& cosine,
               const Pack& sine, double smallest_area, Sharpened& sharpened) const {
         const Pack lent = part * smallest_area / select(sharpened.alive, quad.area, Pack(smallest_area));
         const Pack richer = 0.5 + 0.5 / (1.0 + lent), poorer = 1.0 / (1.0 - lent);
         const auto G = to_first ? gradient_products(quad, richer, poorer) : gradient_products(quad, poorer, richer);
         sharpened.form = membrane_form(tangent, cosine, sine, G, areal_density_);
-        sharpened.across = sharpened.across * poorer;
     }
 
     /// Raises `known` to the first step that bounds the pack: one step after the other, or, where these are many, by eigenvalues.

@@ -205,6 +205,7 @@ Vec3 Simulation::whole_force(const FixedVector& on_part) const {
 void Simulation::adapt_time_step() {
     const Timed timed(seconds_, Phase::elements);
     const double omega_squared = step_bound_.frequency_squared(model_, pairs_, comm_);
+    step_bound_.watch(model_);
     next_check_ = steps_ + step_bound_.steps_to_next();
     const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);
     if (!(bound > 0)) throw GuardStop(fmt::format("the time step vanished at t = {:.6g} us, step {}", time_ * 1e6, steps_));

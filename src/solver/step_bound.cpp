@@ -38,31 +38,9 @@ constexpr std::int64_t steps_unwatched = 5, steps_while_watched = 10;
 // the safety factor leaves.
 constexpr double let_straighten = 1.03;
 
-/// omega^2 of `springs` contact springs k over a mass per area, on their unloading slope u k. A damper of the fraction xi in the mode
-/// shortens the stable step of central differences by sqrt(1 + xi^2) + xi.
-/// @param of_law springs for which the law's fraction holds: it grows with the square root of their number
-double spring_frequency_squared(const scene::ContactLaw& law, double springs, double of_law, double mass) {
-    const double xi = law.damping * std::sqrt(springs / (of_law * law.unloading)), damped = std::sqrt(1 + xi * xi) + xi;
-    return springs * law.unloading * law.stiffness / mass * damped * damped;
-}
-
-/// The highest mode of a free stack of n plies has omega^2 = 4 cos^2(pi/(2 n)) u k/m per area, of two plies 2 u k/m; a light projectile
-/// adds its own u k/m, with its cross-section for the area.
-double contact_frequency_squared(const scene::Scene& scene) {
-    double lightest = std::numeric_limits<double>::max();
-    for (const auto& ply : scene.target->plies)
-        lightest = std::min(lightest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density);
-    double sum = 0;
-    const auto plies = static_cast<double>(scene.target->plies.size());
-    if (scene.contact.plies && plies > 1)
-        sum += spring_frequency_squared(*scene.contact.plies, 4 * std::pow(std::cos(std::numbers::pi / (2 * plies)), 2), 2, lightest);
-    if (scene.contact.projectile && scene.projectile) {
-        const double radius = scene.projectile->diameter / 2, mass = scene.projectile->mass / (std::numbers::pi * radius * radius);
-        const double springs = lightest > negligible * mass ? 1 + lightest / mass : 1;
-        sum += spring_frequency_squared(*scene.contact.projectile, springs, 1, lightest);
-    }
-    if (scene.target->frame) sum += spring_frequency_squared(scene.contact.frame, 1, 1, lightest);
-    return sum;
+/// Of `springs` contact springs over a mass per area. @param reduced mass per area that the law's fraction of critical damping refers to
+ContactModes modes_of(const scene::ContactLaw& law, double springs, double mass, double reduced) {
+    return {springs * law.unloading * law.stiffness / mass, springs * 2 * law.damping * std::sqrt(law.stiffness * reduced) / mass};
 }
 
 double coupling_at_rest(const scene::Scene& scene) {
@@ -72,7 +50,7 @@ double coupling_at_rest(const scene::Scene& scene) {
     return largest;
 }
 
-/// Signed square of the cosine between a force and a direction; of no force 1.
+/// Square of the cosine between a force and a direction; of no force 1.
 double facing(const Vec3& force, const Vec3& axis) {
     const double square = force.squaredNorm(), along = force.dot(axis);
     return square > 0 ? along * along / square : 1;
@@ -94,10 +72,37 @@ Ends ends_of(const std::vector<double>& line, bool symmetric, scene::Edge edge) 
 
 }  // namespace
 
+ContactModes contact_modes(const scene::Scene& scene) {
+    double lightest = std::numeric_limits<double>::max();
+    for (const auto& ply : scene.target->plies)
+        lightest = std::min(lightest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density);
+    ContactModes sum;
+    const auto add = [&](const ContactModes& modes) { sum.stiffness += modes.stiffness, sum.damping += modes.damping; };
+    const auto plies = static_cast<double>(scene.target->plies.size());
+    if (scene.contact.plies && plies > 1)
+        add(modes_of(*scene.contact.plies, 4 * std::pow(std::cos(std::numbers::pi / (2 * plies)), 2), lightest, lightest / 2));
+    if (scene.contact.projectile && scene.projectile) {
+        const double radius = scene.projectile->diameter / 2, mass = scene.projectile->mass / (std::numbers::pi * radius * radius);
+        add(modes_of(*scene.contact.projectile, lightest > negligible * mass ? 1 + lightest / mass : 1, lightest, lightest));
+    }
+    if (scene.target->frame) add(modes_of(scene.contact.frame, 1, lightest, lightest));
+    return sum;
+}
+
 double joint_frequency_squared(double along, double across, double contact, double sine_squared) {
     if (across >= along) return across + contact;
     const double half = (along - across - contact) / 2;
     return (along + across + contact) / 2 + std::sqrt(half * half + contact * (along - across) * sine_squared);
+}
+
+// From above, by the case that all act in one direction; each turn brings it nearer to the solution and leaves it above.
+double damped_frequency_squared(double along, double across, const ContactModes& contact, double sine_squared) {
+    const double half = contact.damping / 2;
+    double omega = half + std::sqrt(half * half + std::max(along, across) + contact.stiffness);
+    constexpr int turns = 8;
+    for (int i = 0; i < turns && contact.damping > 0; ++i)
+        omega = std::sqrt(joint_frequency_squared(along, across, contact.stiffness + omega * contact.damping, sine_squared));
+    return contact.damping > 0 ? omega * omega : joint_frequency_squared(along, across, contact.stiffness, sine_squared);
 }
 
 double in_plane_of_joint(double joint, double across, double contact, double sine_squared) {
@@ -134,12 +139,14 @@ StepBound::FreeEdges StepBound::free_edges(const mesh::Panel& panel) {
 
 StepBound::StepBound(const scene::Scene& scene, const mesh::Panel& panel)
     : corners_{panel.columns_x(), panel.nodes_per_ply() - 1, panel.nodes_per_ply() - 1 - panel.columns_x()},
-      contact_(contact_frequency_squared(scene)),
+      symmetry_(panel.symmetry),
+      single_element_(panel.columns() == 1),
+      contact_(contact_modes(scene)),
       coupling_at_rest_(coupling_at_rest(scene)),
       smallest_area_(ends_of(panel.x, false, panel.edges[0]).shortest * ends_of(panel.y, false, panel.edges[1]).shortest),
       free_edges_(free_edges(panel)) {}
 
-// By three corners it turns with the ply, and all ranks get the same bits.
+// By three corners it turns with the ply, and all ranks get the same bits. It lies in planes of symmetry, as the mean normal does.
 Vec3 StepBound::axis_of(const Model& model, const parallel::Communicator& comm) const {
     std::array<std::int64_t, 9> bits{};
     for (std::size_t k = 0; k < corners_.size(); ++k) {
@@ -152,11 +159,14 @@ Vec3 StepBound::axis_of(const Model& model, const parallel::Communicator& comm) 
     const auto corner = [&](std::size_t k) {
         return Vec3(std::bit_cast<double>(bits[3 * k]), std::bit_cast<double>(bits[3 * k + 1]), std::bit_cast<double>(bits[3 * k + 2]));
     };
-    return (corner(1) - corner(0)).cross(corner(2) - corner(1)).normalized();
+    Vec3 axis = (corner(1) - corner(0)).cross(corner(2) - corner(1));
+    for (int d = 0; d < 2; ++d)
+        if (symmetry_[static_cast<std::size_t>(d)]) axis[d] = 0;
+    return axis.normalized();
 }
 
 // Normals and directions of contact stand within some angle of the axis, so within twice that of each other.
-double StepBound::sine_squared_to_contact(Model& model, const Vec3& axis, std::span<const contact::PairForce> pairs,
+double StepBound::sine_squared_to_contact(const Model& model, const Vec3& axis, std::span<const contact::PairForce> pairs,
                                           const parallel::Communicator& comm) {
     constexpr double at_45_degrees = 0.5;
     double least = 1;
@@ -168,7 +178,7 @@ double StepBound::sine_squared_to_contact(Model& model, const Vec3& axis, std::s
     return cosine_squared > at_45_degrees ? 4 * cosine_squared * (1 - cosine_squared) : 1;
 }
 
-double StepBound::frequency_squared(Model& model, std::span<const contact::PairForce> pairs, const parallel::Communicator& comm) {
+double StepBound::frequency_squared(const Model& model, std::span<const contact::PairForce> pairs, const parallel::Communicator& comm) {
     enum Most : std::size_t { along, across, hourglass, crimped, packed, size };
     std::array<double, size> most{};
     const auto raise = [&](Most which, double value) { most[which] = std::max(most[which], value); };
@@ -182,39 +192,43 @@ double StepBound::frequency_squared(Model& model, std::span<const contact::PairF
     }
     comm.max(most);
     const auto joint = [&](double in_plane, double sine_squared) {
-        return joint_frequency_squared(in_plane, most[across], contact_, sine_squared);
+        return damped_frequency_squared(in_plane, most[across], contact_, sine_squared);
     };
-    const bool flat_pays = contact_ > 0 && joint(most[along], 1) > worth_looking * joint(most[along], 0);
+    const bool flat_pays = contact_.stiffness > 0 && joint(most[along], 1) > worth_looking * joint(most[along], 0);
     const Vec3 axis = flat_pays || most[crimped] > 0 ? axis_of(model, comm) : Vec3::UnitZ();
     const double sine_squared = flat_pays ? sine_squared_to_contact(model, axis, pairs, comm) : 1;
-    straightness_limit_ = std::numeric_limits<double>::infinity();
+    watch_ = {};
     const double worth = worth_sharpening * joint(most[along], sine_squared);
     const bool may_pay = (most[crimped] > 0 || most[packed] > 0) && joint(least_in_plane * most[along], sine_squared) < worth;
     if (may_pay && --waits_ < 0) {
-        const double limit = in_plane_of_joint(worth, most[across], contact_, sine_squared);
+        const double contact = contact_.stiffness + std::sqrt(worth) * contact_.damping;
+        const double limit = in_plane_of_joint(worth, most[across], contact, sine_squared);
         shell::SharpeningStart start{{}, limit, most[across], most[hourglass], axis, smallest_area_};
-        choose_lendings(most[crimped] > 0, most[packed] > 0, start);
+        // What is lent across an element that leans over does not part into motion along and across it: only where contact does not
+        // need them apart.
+        const bool may_lend = sine_squared == 1;
+        choose_lendings(may_lend && most[crimped] > 0, may_lend && most[packed] > 0 && !single_element_, start);
         most[along] = sharpened(model, start, most[along], comm);
     }
-    watch(model);
-    steps_to_next_ =
-        straightness_limit_ < std::numeric_limits<double>::infinity() && most[packed] == 0 ? steps_while_watched : steps_unwatched;
+    watch_.packing = watch_.straightness < std::numeric_limits<double>::infinity() && most[packed] == 0;
+    steps_to_next_ = watch_.packing ? steps_while_watched : steps_unwatched;
     return shell::in_steps(joint(most[along], sine_squared));
 }
 
-void StepBound::choose_lendings(bool crimped, bool packed, shell::SharpeningStart& start) const {
-    const bool looks_around = best_ < 0 || attempts_ % looks_beside == 0;
+void StepBound::choose_lendings(bool coupling, bool mass, shell::SharpeningStart& start) const {
+    const auto may_help = [&](const shell::Lending& lending) { return (lending.mass == 0 || mass) && (lending.coupling == 0 || coupling); };
+    const bool starts_anew = best_ < 0 || !may_help(shell::lendings[static_cast<std::size_t>(best_)]);
     for (std::size_t i = 0; i < start.least.size(); ++i) {
-        const auto& [coupling, mass] = shell::lendings[i];
-        const bool may_help = mass != 0 ? packed : coupling == 0 || crimped;
-        const bool is_near = best_ < 0 || mass != 0 || std::abs(static_cast<int>(i) - best_) <= 1;
-        const bool tried = static_cast<int>(i) == best_ || (looks_around && is_near && may_help);
+        const auto& lending = shell::lendings[i];
+        const int apart = std::abs(static_cast<int>(i) - best_);
+        const bool is_due = starts_anew || apart == 0 || (attempts_ % looks_beside == 0 && (lending.mass != 0 || apart == 1));
+        const bool tried = is_due && may_help(lending);
         const double known = best_ < 0 ? 0 : follows_down * last_[i];
         start.least[i] = tried ? std::clamp(known, start.limit * 0x1p-20, start.limit) : start.limit;
     }
 }
 
-double StepBound::sharpened(Model& model, const shell::SharpeningStart& start, double held, const parallel::Communicator& comm) {
+double StepBound::sharpened(const Model& model, const shell::SharpeningStart& start, double held, const parallel::Communicator& comm) {
     shell::SharperBounds bounds{.along = start.least};
     for (const auto& group : model.groups) group->sharpen(start, model.nodes.x, bounds);
     comm.max(bounds.along);
@@ -225,16 +239,17 @@ double StepBound::sharpened(Model& model, const shell::SharpeningStart& start, d
         double bound = bounds.along[i];
         if (const double coupling = shell::lendings[i].coupling * coupling_at_rest_; coupling > 0) {
             if (free_edges_.too_near) continue;
-            const double inside = bound - start.hourglass;
+            const double inside = bound - std::max(start.hourglass, start.across);
             bound += std::max(excess_on_edge(inside, coupling / free_edges_.edge), excess_at_corner(inside, coupling / free_edges_.corner));
             bound = std::max(bound, coupling / smallest_area_);  // of an eroded element, which lends all the same
         }
+        if (shell::lendings[i].mass != 0) bound = std::max(bound, start.across / (1 - shell::most_lent));
         if (bound < start.limit && bound < least) {
             least = bound;
             best_ = static_cast<int>(i);
         }
     }
-    if (best_ >= 0) straightness_limit_ = let_straighten * comm.max(bounds.straightness);
+    if (best_ >= 0) watch_.straightness = let_straighten * comm.max(bounds.straightness);
     ++attempts_;
     // Where nothing is won the attempts become rare: a yarn that has straightened stays so for long.
     will_wait_ = best_ >= 0 ? 1 : std::min(2 * will_wait_, longest_wait);
@@ -243,7 +258,7 @@ double StepBound::sharpened(Model& model, const shell::SharpeningStart& start, d
 }
 
 void StepBound::watch(Model& model) const {
-    for (const auto& group : model.groups) group->watch_straightening(straightness_limit_);
+    for (const auto& group : model.groups) group->watch(watch_);
 }
 
 }  // namespace weavefront::solver

@@ -91,7 +91,8 @@ TEST(Stiffness, BoundsEveryDirectionOfTheTangent) {
         const double bound = (k.yarn_f + k.lateral) * dg_f + (k.yarn_w + k.lateral) * dg_w + k.angle * dpsi * dpsi;
         ASSERT_LE(quotient, bound * (1 + 1e-5)) << n << " turn " << turn / degree;  // the quotient is off by size over stick angle
         tightest = std::max(tightest, quotient / bound);
-        const double across = k.across_f * change[2] * change[2] + k.across_w * change[5] * change[5];
+        const double across =
+            k.normal[0] * change[2] * change[2] + 2 * k.normal[1] * change[2] * change[5] + k.normal[2] * change[5] * change[5];
         const double tangent = in_plane(fabric::tangent_bound<F>(point.constants, point.state), g, change) + across;
         ASSERT_LE(quotient, tangent * (1 + 1e-5)) << n << " turn " << turn / degree;
         tightest_tangent = std::max(tightest_tangent, quotient / tangent);

@@ -152,5 +152,29 @@ TEST(CriticalFrequency, BoundsTheFabricAsPrinted) {
     expect_bound(fabric, 0.3);
 }
 
+/// Nine elements fill one pack and part of another; what fills its rest has the same nodes and must not look different for not having been
+/// there when they were stretched.
+TEST(CriticalFrequency, IsThatOfElementsRestoredElsewhere) {
+    scene::Fabric fabric = kevlar129();
+    fabric.failure.reset();
+    std::mt19937_64 random(5);
+    const auto mesh = grid(3, 0, random);
+    Elements there(fabric, mesh, 0), here(fabric, mesh, 0);
+    const auto stretched = [&](double strain) {
+        auto x = mesh.X;
+        for (auto& at : x) at.x() *= 1 + strain, at.y() *= 1 + 1.1 * strain;
+        return x;
+    };
+    for (int i = 0; i <= 20; ++i) there.nodal_forces(stretched(0.005 * i));
+    for (std::int32_t e = 0; e < there.group->size(); ++e) {
+        std::vector<double> record;
+        there.group->save(e, record);
+        here.group->restore(e, record);
+    }
+    for (auto* elements : {&there, &here}) elements->nodal_forces(stretched(0.09));
+    EXPECT_EQ(there.group->frequencies().along, here.group->frequencies().along);
+    EXPECT_EQ(there.group->frequencies().across, here.group->frequencies().across);
+}
+
 }  // namespace
 }  // namespace weavefront::test

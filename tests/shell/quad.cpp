@@ -80,5 +80,23 @@ TEST(Inversion, IsCrossingItselfNotTurningOrDenting) {
     EXPECT_TRUE(is_inverted({at(0, 0), at(1, 0), at(0, 1), at(1, 1)}));  // no mean normal
 }
 
+/// Grid lines of graded meshes are sums; what rounding leaves of e would make of a parallelogram something else.
+TEST(Quad, ARectangleOfAGradedMeshIsAParallelogram) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> size(1e-4, 1e-3), growth(1, 1.3);
+    for (int n = 0; n < 300; ++n) {
+        double x = 0, X = size(random), step = X;
+        const double factor = growth(random);
+        for (int column = 0; column < 20; ++column) {
+            const auto quad = shell::make_quad({Eigen::Vector3d(x, x, 0), {X, x, 0}, {X, X, 0}, {x, X, 0}}, 0.3);
+            ASSERT_EQ(quad.e1, 0) << n;
+            ASSERT_EQ(quad.e2, 0) << n;
+            step *= factor;
+            x = X;
+            X += step;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace weavefront::test

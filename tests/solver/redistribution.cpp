@@ -16,6 +16,10 @@ const std::vector<std::string> perforated{"target.plies.count=2", "fabrics.kevla
                                           "target.edges={y: frame}", "target.frame={opening: {y: 16 mm}}",
                                           "projectile.velocity=[0, 0, 600 m/s]"};
 
+/// A slack ply that does not break: its yarns, straightened and packed here and there, decide on the time step.
+const std::vector<std::string> slack{"target.size=[22 mm, 22 mm]", "fabrics.kevlar129.thickness=0.82 mm",
+                                     "projectile.velocity=[0, 0, 150 m/s]", "contact.projectile={stiffness: 1e12 N/m^3, unloading: 2}"};
+
 /// Owners that change from one round to the next without any order.
 partition::Decomposition scattered(const mesh::Panel& panel, int ranks, std::int64_t round) {
     partition::Decomposition decomposition{ranks, {}};
@@ -24,31 +28,42 @@ partition::Decomposition scattered(const mesh::Panel& panel, int ranks, std::int
     return decomposition;
 }
 
-TEST(Redistribution, LeavesNoTrace) {
+/// The energies at the end of a run, which equal at every step those of one whose columns move about.
+Balance expect_no_trace(const std::vector<std::string>& overrides, int steps) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto scene = scene_with(perforated);
+    const auto scene = scene_with(overrides);
     Simulation still(scene, comm), moved(scene, comm);
-    constexpr int steps = 600, between = 50;
+    constexpr int between = 50;
     for (int n = 0; n < steps; ++n) {
         still.advance_forces();
         moved.advance_forces();
         if (n % between == 0) {
             const auto a = still.balance(), b = moved.balance();
-            ASSERT_EQ(a.projectile_velocity, b.projectile_velocity) << n;
-            ASSERT_EQ(a.contact, b.contact) << n;
-            ASSERT_EQ(a.internal, b.internal) << n;
-            ASSERT_EQ(a.kinetic_fabric, b.kinetic_fabric) << n;
-            ASSERT_EQ(a.eroded, b.eroded) << n;
-            ASSERT_EQ(a.broken_yarns, b.broken_yarns) << n;
+            EXPECT_EQ(a.projectile_velocity, b.projectile_velocity) << n;
+            EXPECT_EQ(a.contact, b.contact) << n;
+            EXPECT_EQ(a.internal, b.internal) << n;
+            EXPECT_EQ(a.kinetic_fabric, b.kinetic_fabric) << n;
+            EXPECT_EQ(a.eroded, b.eroded) << n;
+            EXPECT_EQ(a.broken_yarns, b.broken_yarns) << n;
         }
         still.integrate();
         moved.integrate();
         if (n % between == between / 2) moved.redistribute(scattered(moved.panel(), comm.size(), n / between));
-        ASSERT_EQ(still.time(), moved.time());
+        EXPECT_EQ(still.time(), moved.time()) << n;
     }
     still.advance_forces();
-    EXPECT_GT(still.balance().eroded_elements, 0);  // the scene does what it is here for
-    EXPECT_GT(still.balance().contact, 0);
+    return still.balance();
+}
+
+TEST(Redistribution, LeavesNoTraceInAPerforation) {
+    const auto end = expect_no_trace(perforated, 600);
+    EXPECT_GT(end.eroded_elements, 0);  // the scene does what it is here for
+    EXPECT_GT(end.contact, 0);
+}
+
+TEST(Redistribution, LeavesNoTraceInTheTimeStepOfSlackYarns) {
+    const auto end = expect_no_trace(slack, 400);
+    EXPECT_LT(end.projectile_velocity.z(), 140);
 }
 
 }  // namespace

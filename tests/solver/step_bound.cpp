@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -64,6 +66,37 @@ TEST(JointFrequency, IsTheEigenvalueOfAlongAndAcross) {
                     EXPECT_GE(bound, exact * (1 - 1e-14));  // the angle may also be less
                 }
             }
+}
+
+// v' = v - dt (K x + C v), x' = x + dt v' has the eigenvalue -1 where K dt^2 + 2 C dt = 4: K + C omega = omega^2 with omega = 2/dt.
+TEST(DampedFrequency, IsTheStabilityLimitOfCentralDifferences) {
+    for (const double damping : {0.0, 0.1, 1.0, 5.0}) {
+        const ContactModes contact{.stiffness = 1.3, .damping = damping};
+        const double one_direction = damped_frequency_squared(0.7, 0.2, contact, 1);
+        EXPECT_NEAR(0.7 + 1.3 + damping * std::sqrt(one_direction), one_direction, 1e-3 * one_direction) << damping;
+        EXPECT_GE(one_direction, (0.7 + 1.3 + damping * std::sqrt(one_direction)) * (1 - 1e-14)) << damping;
+        const double at_right_angles = damped_frequency_squared(0.7, 0.2, contact, 0);
+        EXPECT_NEAR(0.2 + 1.3 + damping * std::sqrt(at_right_angles), at_right_angles, 1e-3 * at_right_angles) << damping;
+        EXPECT_NEAR(damped_frequency_squared(4.7e3, 0.2, contact, 0), 4.7e3, 1e-9) << damping;  // the fabric's own
+    }
+}
+
+// A free stack of plies with a spring u k and a damper 2 xi sqrt(k m/2) between each two: both matrices have the mode of alternating signs.
+TEST(DampedFrequency, CountsTheHighestModeOfAStack) {
+    for (const int plies : {2, 3, 8}) {
+        const auto scene = scene_with({"projectile=", "contact={plies: {stiffness: 1e13 N/m^3, unloading: 10, damping: 0.2}}",
+                                       "target.plies.count=" + std::to_string(plies)});
+        double stretched = 0, moved = 0;
+        for (int i = 0; i < plies; ++i) {
+            const auto at = [&](int ply) { return (ply % 2 == 0 ? 1 : -1) * std::sin(std::numbers::pi * (2 * ply + 1) / (2 * plies)); };
+            moved += at(i) * at(i);
+            if (i + 1 < plies) stretched += std::pow(at(i + 1) - at(i), 2);
+        }
+        const double m = 0.204, k = 1e13, springs = stretched / moved;
+        const auto modes = contact_modes(scene);
+        EXPECT_NEAR(modes.stiffness, springs * 10 * k / m, 1e-12 * modes.stiffness) << plies;
+        EXPECT_NEAR(modes.damping, springs * 2 * 0.2 * std::sqrt(k * m / 2) / m, 1e-12 * modes.damping) << plies;
+    }
 }
 
 TEST(FreeEdges, AddTheEigenvalueOfWhatIsLeftOnThem) {

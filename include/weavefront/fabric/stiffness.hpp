@@ -2,6 +2,8 @@
 /// @file
 /// Upper bounds of the cell's tangent, from which an element's critical time step follows.
 
+#include <array>
+
 #include "weavefront/fabric/friction.hpp"
 #include "weavefront/fabric/lateral.hpp"
 
@@ -12,10 +14,11 @@ namespace weavefront::fabric {
 /// (yarn_f + lateral)|dg_f|^2 + (yarn_w + lateral)|dg_w|^2 + angle dpsi^2, where dpsi^2 <= 2 (|dg_f|^2/lambda_f^2 + |dg_w|^2/lambda_w^2).
 template <class Real>
 struct Stiffness {
-    Real yarn_f, yarn_w;      ///< along and across the yarns
-    Real lateral;             ///< packing, on either yarn
-    Real angle;               ///< on the angle between the yarns
-    Real across_f, across_w;  ///< the same for changes out of the plane: at most across_f |dg_f|^2 + across_w |dg_w|^2
+    Real yarn_f, yarn_w;  ///< along and across the yarns
+    Real lateral;         ///< packing, on either yarn
+    Real angle;           ///< on the angle between the yarns
+    /// Out of the plane: at most normal[0] dg_f^2 + 2 normal[1] dg_f dg_w + normal[2] dg_w^2.
+    std::array<Real, 3> normal;
 };
 
 /// Instantaneous tangent of a state, bounded from above (see README.md, "Stiffness"):
@@ -34,12 +37,12 @@ template <Features F, class Real>
 [[nodiscard]] WEAVEFRONT_INLINE Stiffness<Real> stiffness_bound(const Constants& c, const State<Real>& state) {
     const double yarn = c.instant_modulus * c.area / c.span * (0.5 * c.span * c.inverse_length);
     const Real inverse_f = 1.0 / state.lambda_f, inverse_w = 1.0 / state.lambda_w;
-    Stiffness<Real> k{.yarn_f = yarn, .yarn_w = yarn, .lateral = 0.0, .angle = 0.0, .across_f = 0.0, .across_w = 0.0};
+    Stiffness<Real> k{.yarn_f = yarn, .yarn_w = yarn, .lateral = 0.0, .angle = 0.0, .normal = {}};
     if constexpr (F.failure) {
         k.yarn_f *= state.intact_f;
         k.yarn_w *= state.intact_w;
     }
-    Real turn = 0.0, tilting = 0.0;  // |m|, and what it holds of yarns that tilt out of the plane
+    Real turn = 0.0, Q = 0.0, cot_psi = 0.0, inverse_sin = 1.0;  // |m|, m/2 with its sign
     if constexpr (F.follows_angle()) {
         const Trellis<Real> trellis = trellis_of(state.cos_2theta);
         const Real inverse_sine = 1.0 / trellis.sin_2theta;
@@ -72,8 +75,9 @@ template <Features F, class Real>
             turn += abs(state.friction_moment) * (2.0 * per_cell);
         }
         if constexpr (F.friction && F.paper()) turn += abs(state.friction_turn);
-        tilting = 0.5 * turn * (cot + inverse_sine);
-        k.angle += tilting;
+        k.angle += 0.5 * turn * (cot + inverse_sine);
+        cot_psi = trellis.cos_2theta * inverse_sine;
+        inverse_sin = inverse_sine;
     }
     Real packing_f = 0.0, packing_w = 0.0;
     if constexpr (F.lateral && !F.paper()) {
@@ -85,8 +89,15 @@ template <Features F, class Real>
     const Real n_w = abs(state.N_w * state.lambda_w - packing_w) + abs(packing_w);
     k.yarn_f += (n_f + 0.5 * turn) * inverse_f * inverse_f;
     k.yarn_w += (n_w + 0.5 * turn) * inverse_w * inverse_w;
-    k.across_f = (n_f + tilting) * inverse_f * inverse_f;
-    k.across_w = (n_w + tilting) * inverse_w * inverse_w;
+    if constexpr (F.paper()) {
+        const Real tilting = 0.5 * turn * (abs(cot_psi) + inverse_sin);
+        k.normal = {(n_f + tilting) * inverse_f * inverse_f, 0.0, (n_w + tilting) * inverse_w * inverse_w};
+    } else {
+        if constexpr (F.lateral) Q += 0.5 * state.m;
+        if constexpr (F.friction) Q += state.friction_moment * (1 / (c.span * c.span));
+        k.normal = {(state.N_f * state.lambda_f + Q * cot_psi) * inverse_f * inverse_f, -Q * inverse_sin * inverse_f * inverse_w,
+                    (state.N_w * state.lambda_w + Q * cot_psi) * inverse_w * inverse_w};
+    }
     return k;
 }
 

@@ -37,7 +37,7 @@ inline double in_steps(double omega_squared) {
     return std::ldexp(std::ceil(fraction * steps) / steps, exponent);
 }
 
-/// Largest eigenvalue of M G for symmetric positive 2x2 matrices given as {11, 12, 22}.
+/// Largest eigenvalue of M G for symmetric 2x2 matrices given as {11, 12, 22}, G positive.
 template <class Real>
 WEAVEFRONT_INLINE Real largest_eigenvalue(const std::array<Real, 3>& M, const std::array<Real, 3>& G) {
     using fabric::max;
@@ -60,24 +60,22 @@ WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad, 
 ///
 /// In the plane the quadratic form of uniform deformation is at most sum M_ij |dg_i| |dg_j| over the yarn vectors with
 /// M_ff = k_f + k_lateral + k_angle/lambda_f^2, M_fw = k_angle/(lambda_f lambda_w), because |d(2 theta)| <= |dg_f|/lambda_f +
-/// |dg_w|/lambda_w. With dg = B du and G = B B^T the frequency is 4 lambda_max(M G)/areal density; out of the plane, where it is small, the
-/// trace takes the eigenvalue's place.
+/// |dg_w|/lambda_w. With dg = B du and G = B B^T the frequency is 4 lambda_max(M G)/areal density, and so it is out of the plane.
 template <class Real>
 WEAVEFRONT_INLINE Frequencies<Real> critical_frequencies(const Quad<Real>& quad, const fabric::Stiffness<Real>& k,
                                                          const fabric::State<Real>& state, const HourglassStiffness& hourglass,
                                                          double areal_density) {
     const Real f = 1.0 / state.lambda_f, w = 1.0 / state.lambda_w;
     const double scale = 4 / areal_density;
-    auto G = gradient_products(quad);
-    G[1] = abs(G[1]);
+    const auto G = gradient_products(quad);
+    const std::array<Real, 3> sizes{G[0], abs(G[1]), G[2]};
     const std::array<Real, 3> M{k.yarn_f + k.lateral + k.angle * f * f, k.angle * f * w, k.yarn_w + k.lateral + k.angle * w * w};
     const auto parallelogram = (quad.e1 == 0.0) & (quad.e2 == 0.0);
     const Real gamma_squared = (2.0 + quad.e1 * quad.e1 + quad.e2 * quad.e2) * 0.125,
                modes = scale * gamma_squared * quad.shape / quad.area;
     const Real in_plane = hourglass.in_plane * modes;
-    return {with_hourglass(parallelogram, Real(scale * largest_eigenvalue(M, G)), in_plane),
-            with_hourglass(parallelogram, Real(scale * (k.across_f * G[0] + k.across_w * G[2])), Real(hourglass.warping * modes)),
-            in_plane};
+    return {with_hourglass(parallelogram, Real(scale * largest_eigenvalue(M, sizes)), in_plane),
+            with_hourglass(parallelogram, Real(scale * largest_eigenvalue(k.normal, G)), Real(hourglass.warping * modes)), in_plane};
 }
 
 }  // namespace weavefront::shell

@@ -110,15 +110,14 @@ class ElementGroup {
     /// @param x positions of the local nodes, m
     void sharpen(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const;
 
-    /// From now on `advance` notes whether an element's `straightness` comes above a limit, 1/s2. Infinite: it does not look.
-    void watch_straightening(double limit) {
-        straightness_limit_ = limit;
-        was_packed_ = is_packed();
-    }
-    /// Whether it did, in the last step of all of it, or whether the first yarns have been packed since.
-    [[nodiscard]] bool has_stiffened() const {
-        return has_straightened_ || (straightness_limit_ < std::numeric_limits<double>::infinity() && is_packed() && !was_packed_);
-    }
+    /// What makes yarns stiffer than the bounds allow for, to be looked out for from now on. By default nothing.
+    struct Watch {
+        double straightness = std::numeric_limits<double>::infinity();  ///< of any element, 1/s2
+        bool packing = false;                                           ///< the first packed yarns, where none of any rank are
+    };
+    void watch(const Watch& watch) { watch_ = watch; }
+    /// Whether it has come, in the last step of all elements.
+    [[nodiscard]] bool has_stiffened() const { return has_straightened_ || (watch_.packing && is_packed()); }
 
     /// Least n |n| over the alive elements, n the cosine of the angle between the element's normal and `axis`, of unit length; at most
     /// `known`. It stops looking where it finds less than `enough`. @param x positions of the local nodes, m
@@ -133,6 +132,7 @@ class ElementGroup {
 
     /// All that an element is and has been through, to be taken up by another group of the same fabric.
     void save(std::int32_t index, std::vector<double>& record) const;
+    /// What fills the last pack follows the elements that it is a copy of.
     /// @param record of `save`, with anything after it. @return what comes after it
     std::span<const double> restore(std::int32_t index, std::span<const double> record);
 
@@ -140,7 +140,7 @@ class ElementGroup {
     Events::Erosion erode(std::int32_t index);
 
   protected:
-    /// The same of uniform deformation alone.
+    /// What `sharpen` does, of uniform deformation alone: without hourglass modes.
     virtual void sharpen_uniform(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const = 0;
 
     ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, const StateSizes& sizes);
@@ -177,14 +177,16 @@ class ElementGroup {
     AlignedVector<double> state_, hourglass_energy_;
     PackBlocks packing_;  ///< zeros in packs whose yarns do not pack
     PackBlocks damage_;   ///< ones in packs that are whole
-    double straightness_limit_ = std::numeric_limits<double>::infinity();
-    bool has_straightened_ = false, was_packed_ = false;
+    Watch watch_;
+    bool has_straightened_ = false;
 
   private:
     /// Elements of consecutive local indices.
     struct Run {
         std::int32_t first, element;  ///< index in the group, local index in the part
     };
+
+    std::span<const double> write(std::int32_t index, std::span<const double> record);
 
     int changing_fields_;
     std::vector<Run> runs_;

@@ -15,7 +15,17 @@
 
 namespace weavefront::solver {
 
-/// Bound on omega^2 of fabric and contact together, 1/s2.
+/// What contact adds over the mass that it moves: omega^2 of its springs, 1/s2, and the rate 2 xi omega of its dampers, 1/s.
+struct ContactModes {
+    double stiffness = 0, damping = 0;
+};
+
+/// Contact closed everywhere and unloading, on the slope of u k. The highest mode of a free stack of n plies has f = 4 cos^2(pi/(2 n))
+/// springs over its mass per area, omega^2 = f u k/m and 2 xi omega = f c/m; a light projectile adds its own, with its cross-section for
+/// the area.
+[[nodiscard]] ContactModes contact_modes(const scene::Scene& scene);
+
+/// Bound on omega^2 of fabric and contact together, 1/s2, without dampers.
 ///
 /// The fabric resists motion in its elements' planes, contact motion along its direction. Where that is the normal of the elements, the
 /// larger counts; in between the eigenvalue of the two by two matrix of motion along and across.
@@ -26,6 +36,10 @@ namespace weavefront::solver {
 
 /// The part `along` of a given bound, 1/s2: the inverse of joint_frequency_squared; 0: none.
 [[nodiscard]] double in_plane_of_joint(double joint, double across, double contact, double sine_squared);
+
+/// The same with the dampers: central differences whose dampers see the velocity half a step before are stable up to
+/// dt = 2/omega with omega^2 = omega_0^2 + omega 2 xi omega_0, so contact counts as stiffness + omega damping.
+[[nodiscard]] double damped_frequency_squared(double along, double across, const ContactModes& contact, double sine_squared);
 
 /// By how much the omega^2 of a ply with free edges may be above that of an element inside it when all of them lend the area's second
 /// variation, 1/s2: what is left on the edges is c u_i x u_j of neighbouring nodes.
@@ -40,15 +54,16 @@ class StepBound {
   public:
     StepBound(const scene::Scene& scene, const mesh::Panel& panel);
 
-    /// omega^2, 1/s2. The groups are told what to watch until it is asked for again.
-    /// @param pairs in contact at present
+    /// omega^2, 1/s2.
+    /// @param pairs in contact at present: what else may close until it is asked for again is taken to act along the normals of plies
     /// @note Collective
-    [[nodiscard]] double frequency_squared(Model& model, std::span<const contact::PairForce> pairs, const parallel::Communicator& comm);
+    [[nodiscard]] double frequency_squared(const Model& model, std::span<const contact::PairForce> pairs,
+                                           const parallel::Communicator& comm);
 
     /// In how many steps it should be asked for again at the latest. In between it changes by far less than a safety factor leaves.
     [[nodiscard]] std::int64_t steps_to_next() const { return steps_to_next_; }
 
-    /// Tells the groups again, which are new ones.
+    /// Tells the groups what to watch until it is asked for again.
     void watch(Model& model) const;
 
   private:
@@ -60,18 +75,20 @@ class StepBound {
 
     static FreeEdges free_edges(const mesh::Panel& panel);
     [[nodiscard]] Vec3 axis_of(const Model& model, const parallel::Communicator& comm) const;
-    static double sine_squared_to_contact(Model& model, const Vec3& axis, std::span<const contact::PairForce> pairs,
+    static double sine_squared_to_contact(const Model& model, const Vec3& axis, std::span<const contact::PairForce> pairs,
                                           const parallel::Communicator& comm);
-    double sharpened(Model& model, const shell::SharpeningStart& start, double held, const parallel::Communicator& comm);
-    void choose_lendings(bool crimped, bool packed, shell::SharpeningStart& start) const;
+    double sharpened(const Model& model, const shell::SharpeningStart& start, double held, const parallel::Communicator& comm);
+    void choose_lendings(bool coupling, bool mass, shell::SharpeningStart& start) const;
 
-    std::array<std::int64_t, 3> corners_;  // of the first ply, away from planes of symmetry: global nodes, counter-clockwise
-    double contact_;                       // omega^2, 1/s2
-    double coupling_at_rest_;              // 4 c over the areal density, m2/s2
-    double smallest_area_;                 // m2
+    std::array<std::int64_t, 3> corners_;  // of the first ply: global nodes, counter-clockwise
+    std::array<bool, 2> symmetry_;
+    bool single_element_;
+    ContactModes contact_;
+    double coupling_at_rest_;  // 4 c over the areal density, m2/s2
+    double smallest_area_;     // m2
     FreeEdges free_edges_;
     std::int64_t steps_to_next_ = 0;
-    double straightness_limit_ = std::numeric_limits<double>::infinity();
+    shell::ElementGroup::Watch watch_;
 
     // What the last attempts to sharpen found: the bounds, 0 where none was sought; which lending was best, none: -1; their number; and how
     // many times none is made, now and after the next one in vain.

@@ -47,7 +47,7 @@ def main():
             early = kill % 4 == 3
             if not early:
                 path.unlink(missing_ok=True)
-            kill_writer(command, ranks, path, -random.uniform(0, 0.2) if early else random.uniform(0, 0.15))
+            kill_writer(command, ranks, path, -random.uniform(0, 0.2) if early else random.uniform(0, 0.03))
             if path.exists():
                 # The two numbers that publish a frame are written one right after the other: a kill may fall between them.
                 counted.append(model.check_frames(path, surplus_times=1))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs variants of the three scenes one after another and collects what changes.
+"""Runs variants of the four scenes one after another and collects what changes.
 
 Variants that stand in sensitivity.csv already are skipped, so that a stopped study goes on where it was; take lines out to repeat them.
 Without arguments it uses the program of `bash cmake/bootstrap.sh build`. --table prints the collected rows as the tables of README.md.
@@ -99,6 +99,9 @@ VARIANTS = {
     "time.safety 0.6": ({"time.safety": "0.6"}, ("550",)),
     "mesh 1 mm": ({"target.mesh.center": "1 mm"}, ("550",)),
     "mesh 0.35 mm": ({"target.mesh.center": "0.35 mm"}, ("550",)),
+    "mesh s = 0.909 mm": ({"target.mesh.center": "0.909 mm"}, ("550",)),
+    "mesh s/2": ({"target.mesh.center": "0.4545 mm"}, ("550",)),
+    "mesh s/4": ({"target.mesh.center": "0.22725 mm"}, ("550",)),
     "mesh growth 1.25": ({"target.mesh.growth": "1.25"}, ("267 fine", "550")),
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
     bool reduced = false;
-    std::vector<std::string> names;
+    std::vector<std::string> names, overrides;
     std::string formulation = "both";
     std::filesystem::path csv, markdown;
 };
@@ -33,7 +33,10 @@ std::vector<Case> wanted(const Options& options) {
     for (const auto& trial : all) {
         const bool model =
             std::ranges::any_of(all, [&](const Case& copy) { return copy.same_as == trial.name && is_named(copy, options); });
-        if (options.names.empty() ? !options.reduced || trial.reduced : model || is_named(trial, options)) chosen.push_back(trial);
+        if (options.names.empty() ? options.reduced && !trial.reduced : !model && !is_named(trial, options)) continue;
+        chosen.push_back(trial);
+        auto& overrides = chosen.back().overrides;
+        overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
     }
     return chosen;
 }
@@ -59,7 +62,8 @@ std::vector<Row> rows_of(const Options& options, const parallel::Communicator& c
 int print_table(const Options& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    fmt::print("{:<20}  {:<10}  {:>7}  {:>9}  {:>9}  {:>9}  {:>7}\n", "case", "", "steps", "error", "given", "hourglass", "wall");
+    fmt::print("{:<20}  {:<10}  {:>7}  {:>9}  {:>9}  {:>9}  {:>9}  {:>7}\n", "case", "", "steps", "error", "given", "by single",
+               "hourglass", "wall");
     const auto rows = rows_of(options, comm);
     if (!options.csv.empty()) write_csv(options.csv, rows);
     if (!options.markdown.empty()) write_markdown(options.markdown, rows);
@@ -78,6 +82,7 @@ int main(int argc, char** argv) {
     app.add_flag("--reduced", options.reduced, "Only the cases of the test");
     app.add_option("--case", options.names, "Only these cases");
     app.add_option("--formulation", options.formulation, "Only this one")->check(CLI::IsMember({"paper", "consistent", "both"}));
+    app.add_option("--set", options.overrides, "Override a value of the cases' scenes, PATH=VALUE; may be given several times");
     app.add_option("--csv", options.csv, "Write the table here, a row a case and formulation");
     app.add_option("--markdown", options.markdown, "Write the table here, a row a case");
     CLI11_PARSE(app, argc, argv);

@@ -70,11 +70,24 @@ class Watch {
         result_.energy_error = std::max(result_.energy_error, std::abs(error));
         result_.hourglass_share = std::max(result_.hourglass_share, row.hourglass / turnover_);
         result_.given = std::max(result_.given, -std::min({row.internal, row.friction, row.contact}) / turnover_);
+        result_.given_by_single = std::max(result_.given_by_single, given_by_elements() / turnover_);
         result_.broken_yarns = row.broken_yarns;
         result_.eroded_elements = row.eroded_elements;
         if (std::abs(error) > scene_.limits.energy_error)  // as an ordinary run does at each row
             throw solver::GuardStop(fmt::format("the energy balance is off by {:.3g} % at t = {:.4g} us, step {}", error * 100,
                                                 row.time * 1e6, simulation_.steps()));
+    }
+
+    /// What the yarns and the friction of elements have given beyond what they took, J: those that have not do not make up for it.
+    [[nodiscard]] double given_by_elements() const {
+        double given = 0;
+        for (const auto& group : simulation_.model().groups)
+            for (std::int32_t e = 0; e < group->size(); ++e) {
+                if (!group->alive(e)) continue;
+                const auto energy = group->energy(e);
+                given -= std::min(energy.work, 0.0) + std::min(energy.friction, 0.0);
+            }
+        return simulation_.panel().multiplicity() * given;
     }
 
     void look_at_fields() {

@@ -45,6 +45,7 @@ struct Result {
     double energy_error = 0;     ///< largest over the rows, over the energy handed over until then, 1
     double hourglass_share = 0;  ///< largest hourglass energy over the same, 1
     double given = 0;            ///< most that yarns, friction or contact had given beyond what they took, over the same, 1
+    double given_by_single = 0;  ///< the same of the yarns and friction of single elements, added up where they had, 1
     std::int64_t broken_yarns = 0, eroded_elements = 0;
     bool finite = true;      ///< every number looked at
     std::uint64_t bits = 0;  ///< hash of every row and of the last positions

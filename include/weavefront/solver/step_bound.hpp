@@ -34,12 +34,12 @@ struct ContactModes {
 /// @param sine_squared  of the largest angle between a normal of an element and a direction of contact
 [[nodiscard]] double joint_frequency_squared(double along, double across, double contact, double sine_squared);
 
-/// The part `along` of a given bound, 1/s2: the inverse of joint_frequency_squared; 0: none.
-[[nodiscard]] double in_plane_of_joint(double joint, double across, double contact, double sine_squared);
-
-/// The same with the dampers: central differences whose dampers see the velocity half a step before are stable up to
+/// The same bound with the dampers: central differences whose dampers see the velocity half a step before are stable up to
 /// dt = 2/omega with omega^2 = omega_0^2 + omega 2 xi omega_0, so contact counts as stiffness + omega damping.
 [[nodiscard]] double damped_frequency_squared(double along, double across, const ContactModes& contact, double sine_squared);
+
+/// The part `along` of a given bound, 1/s2: the inverse of joint_frequency_squared, which has no dampers; 0: none.
+[[nodiscard]] double in_plane_of_joint(double joint, double across, double contact, double sine_squared);
 
 /// By how much the omega^2 of a ply with free edges may be above that of an element inside it when all of them lend the area's second
 /// variation, 1/s2: what is left on the edges is c u_i x u_j of neighbouring nodes.

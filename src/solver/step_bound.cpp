@@ -19,7 +19,8 @@ constexpr double negligible = 0.01;
 // the fabric's own omega^2: yarns of much crimp with fill and warp apart.
 constexpr double worth_sharpening = 0.85, least_in_plane = 0.4;
 
-// The elements' normals are looked at where flat fabric allows such an omega^2 less; it costs a thirtieth of the elements' time.
+// The elements' normals are looked at where perfectly flat fabric would lower omega^2 by more than this factor; that costs a thirtieth of
+// the elements' time.
 constexpr double worth_looking = 1.05;
 
 // A sharper bound falls by no more than this from one time to the next: what an element needs then is seldom computed, only compared with.

@@ -171,7 +171,7 @@ Path press_onto_nose(double depth) {
     return [=](double time, const Vec3& x) { return Vec3(x.x(), x.y(), x.z() - depth * pressed(time)); };
 }
 
-/// A state of a panel of 6 x 6 elements, and of a single element.
+/// A state of a panel, of 6 x 6 elements unless it says otherwise.
 struct Named {
     const char* name;
     std::vector<std::string> overrides;

@@ -28,9 +28,10 @@ struct Stiffness {
 /// - packing: e_f = ln lambda_w + ln sin psi couples stretch and angle; (x + y)^2 <= 2 x^2 + 2 y^2 separates them. Unpacking lets p go at a
 ///   rate dalpha/dpsi = 1/(2 Dtheta), as a spring of p/(2 alpha Dtheta) would.
 /// - angle: packing with its geometric |p|/sin^2 psi, friction while it sticks, and the geometric |m|/2 (|cot psi| + 1/sin psi) of yarns
-/// that tilt out of plane.
-/// - out of the plane: |n|/lambda^2 and that same moment, cot psi (z_f^2 + z_w^2) - 2 z_f z_w/sin psi with z = dg/lambda, whose mixed term
-/// is at most (z_f^2 + z_w^2)/sin psi. The paper's stresses derive from no energy; there the same terms are an estimate, with the factor
+///   that tilt out of plane.
+/// - out of the plane: the tension n/lambda^2 with its sign and that same moment, cot psi (z_f^2 + z_w^2) - 2 z_f z_w/sin psi with
+///   z = dg/lambda; in the paper's formulation |n|/lambda^2 and the mixed term by at most (z_f^2 + z_w^2)/sin psi. The paper's stresses
+///   derive from no energy; there the same terms are an estimate, with the factor
 /// lambda sin 2 theta by which its yarn force exceeds the conjugate one, and the shear gamma_12 = dpsi + cot psi (dln lambda_f - dln
 /// lambda_w) of both yarns.
 template <Features F, class Real>

@@ -16,8 +16,7 @@ namespace weavefront::shell {
 ///   edges alone. In it fill and warp that stretch together come apart: of slack crimped yarns, whose tangent in the two stretches
 ///   is (a, b; b, a), a + b becomes a with c = b.
 /// - lent mass: a part m of a quarter of the smallest element's mass, from corners 2 and 4 to corners 1 and 3. Around a node each kind
-/// meets
-///   twice. In packed yarns one diagonal of an element is stiffer than the other.
+///   meets twice. In packed yarns one diagonal of an element is stiffer than the other.
 struct Lending {
     double coupling;  ///< c over that of the fabric at rest, 1
     double mass;      ///< m, 1
@@ -43,7 +42,7 @@ inline constexpr std::array<Lending, 12> lendings{{{0, 0},
 
 /// What sharper bounds start from.
 struct SharpeningStart {
-    std::array<double, lendings.size()> least;  ///< lower bounds are not sought; `limit`: this one is not tried, 1/s2
+    std::array<double, lendings.size()> least;  ///< where the search starts; `limit`: this one is not tried, 1/s2
     double limit;                               ///< bounds that reach it are of no use and are not followed further, 1/s2
     double across;                              ///< bound on the motion out of the elements' planes, 1/s2
     double hourglass;                           ///< on hourglass modes in them, 1/s2

@@ -98,9 +98,8 @@ void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows) 
 
 void write_markdown(const std::filesystem::path& file, const std::vector<Row>& rows) {
     auto out = open(file);
-    out << "| case | what | expected | steps | error | given | by single | hourglass | outcome | paper: steps | error | given | by single "
-           "| "
-           "hourglass | outcome |\n";
+    out << "| case | what | expected | steps | error | given | by single | hourglass | outcome "
+           "| paper: steps | error | given | by single | hourglass | outcome |\n";
     out << "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const auto& row : rows) {
         if (row.formulation != "consistent") continue;

@@ -52,13 +52,12 @@ ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupEle
 }
 
 void ElementGroup::sharpen(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const {
-    SharperBounds own{.along = start.least};
+    SharperBounds own = start.least;
     sharpen_uniform(start, x, own);
     for (std::size_t i = 0; i < lendings.size(); ++i) {
         const double poorest = 1 - std::abs(lendings[i].mass);
-        bounds.along[i] = std::max(bounds.along[i], with_hourglass(parallelograms_, own.along[i], start.hourglass / poorest));
+        bounds[i] = std::max(bounds[i], with_hourglass(parallelograms_, own[i], start.hourglass / poorest));
     }
-    bounds.straightness = std::max(bounds.straightness, own.straightness);
 }
 
 double ElementGroup::least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis, double known, double enough) {

@@ -41,7 +41,7 @@ class FeatureGroup final : public ElementGroup {
         for_packs(first, count, [&](std::int32_t pack, std::int32_t at) {
             advance_pack(pack, at, x, forces.data() + static_cast<std::size_t>(pack - first) * forces_per_pack, events);
             if constexpr (F.crimp && !F.paper())
-                if (watch_.straightness < std::numeric_limits<double>::infinity()) note_straightening(pack, at);
+                if (watch_.slack < std::numeric_limits<double>::infinity()) note_straightening(pack, at);
         });
     }
 
@@ -62,6 +62,15 @@ class FeatureGroup final : public ElementGroup {
 
     [[nodiscard]] bool is_crimped() const override { return F.crimp && !F.paper(); }
     [[nodiscard]] bool is_packed() const override { return F.lateral && !F.paper() && packing_.any(); }
+
+    [[nodiscard]] double slack_frequency(const Lending& lending, double smallest_area) const override {
+        double highest = 0;
+        if constexpr (F.crimp && !F.paper())
+            for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
+                highest = std::max(highest, largest_lane(slack_form(pack, at, lending, smallest_area).largest_eigenvalue()));
+            });
+        return highest;
+    }
 
     [[nodiscard]] std::int64_t inverted(std::span<const Eigen::Vector3d> x) const override {
         std::int64_t count = 0;
@@ -100,10 +109,10 @@ class FeatureGroup final : public ElementGroup {
   private:
     void sharpen_uniform(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const override {
         if constexpr (F.paper()) {  // the printed stresses derive from no energy and have no such tangent
-            bounds.along.fill(start.limit);
+            bounds.fill(start.limit);
         } else {
             for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
-                if (std::ranges::any_of(bounds.along, [&](double bound) { return bound < start.limit; }))
+                if (std::ranges::any_of(bounds, [&](double bound) { return bound < start.limit; }))
                     sharpen(pack, at, start, gather(pack, x), bounds);
             });
         }
@@ -119,28 +128,47 @@ class FeatureGroup final : public ElementGroup {
         return largest;
     }
 
-    /// How near a yarn is to straight, as a frequency: k cos^2 beta h_o^2/(h^2 + h_o^2), h its crossover height and h_o the other yarn's,
-    /// is the stiffness that slack yarns show with the crossover free. Numerator, 1/s2, and denominator.
-    struct Straightness {
-        Pack numerator, denominator;
-    };
-    [[nodiscard]] WEAVEFRONT_INLINE std::array<Straightness, 2> straightness(const Quad<Pack>& quad,
-                                                                             const fabric::State<Pack>& state) const {
-        const double k = 2 * constants_.instant_modulus * constants_.area * constants_.inverse_length / areal_density_;
-        const auto G = gradient_products(quad);
-        const Pack scale = k * (G[0] + G[2]), h_w = 0.5 * constants_.thickness - state.h_f;
-        const Pack hh_f = state.h_f * state.h_f, hh_w = h_w * h_w, sum = hh_f + hh_w;
-        const Pack a_f = (0.5 * constants_.span) * state.lambda_f, a_w = (0.5 * constants_.span) * state.lambda_w;
-        const Pack aa_f = a_f * a_f, aa_w = a_w * a_w;
-        return {{{scale * (aa_f * hh_w), (aa_f + hh_f) * sum}, {scale * (aa_w * hh_f), (aa_w + hh_w) * sum}}};
-    }
+    /// Fill and warp stretched together while the yarns are slack and the crossover is free: the form (a, o; o, b) of omega^2 with
+    /// a = fill/fill_unit, b = warp/warp_unit, o^2 = coupling_squared/(fill_unit warp_unit). With k = 4 S Ka/(2 L), per bar of slope beta
+    /// and crossover height h, a = k B_f.B_f cos^2 beta_f h_w^2/(h_f^2 + h_w^2), so b, and what couples them is k cos beta_f cos beta_w h_f
+    /// h_w/(h_f^2 + h_w^2) - 4 c, all over the areal density.
+    struct SlackForm {
+        fabric::Mask alive;
+        Pack fill, fill_unit, warp, warp_unit, coupling_squared;
 
-    void note_straightening(std::int32_t pack, std::int32_t at) {
+        [[nodiscard]] WEAVEFRONT_INLINE fabric::Mask above(double omega_squared) const {
+            const Pack f = omega_squared * fill_unit - fill, w = omega_squared * warp_unit - warp;
+            return alive & !((f > 0.0) & (w > 0.0) & (f * w > coupling_squared));
+        }
+        [[nodiscard]] Pack largest_eigenvalue() const {
+            const Pack a = fill / fill_unit, b = warp / warp_unit, half = 0.5 * (a - b);
+            return select(alive, Pack(0.5 * (a + b) + sqrt(Pack(half * half + coupling_squared / (fill_unit * warp_unit)))), Pack(0.0));
+        }
+    };
+
+    [[nodiscard]] WEAVEFRONT_INLINE SlackForm slack_form(std::int32_t pack, std::int32_t at, const Lending& lending,
+                                                         double smallest_area) const {
         auto quad = quads_.pack_from(at);
         const auto state = load(pack, quad);
         const auto alive = quad.area > 0.0;
-        for (const auto& yarn : straightness(quad, state))
-            has_straightened_ = has_straightened_ || fabric::any(alive & (yarn.numerator > watch_.straightness * yarn.denominator));
+        const auto G = lending.mass == 0 ? gradient_products(quad) : lent_products(lending.mass, quad, alive, smallest_area);
+        const double bar = constants_.instant_modulus * constants_.area * constants_.inverse_length;
+        const double c = 2 * lending.coupling * coupling_at_rest_ / bar;
+        Pack k = 2 * bar / areal_density_;
+        if constexpr (F.failure) k = k * (state.intact_f * state.intact_w);
+        const Pack a_f = (0.5 * constants_.span) * state.lambda_f, a_w = (0.5 * constants_.span) * state.lambda_w;
+        const Pack h_f = state.h_f, h_w = 0.5 * constants_.thickness - h_f;
+        const Pack aa_f = a_f * a_f, aa_w = a_w * a_w, hh_f = h_f * h_f, hh_w = h_w * h_w, sum = hh_f + hh_w;
+        const Pack LL_f = aa_f + hh_f, LL_w = aa_w + hh_w;
+        // the mean of the squares for the product of the lengths, which differ by little
+        const Pack coupling = (a_f * a_w) * (h_f * h_w) - (0.5 * c) * (sum * (LL_f + LL_w));
+        const Pack k_f = k * G[0], k_w = k * G[2];
+        return {alive, k_f * (aa_f * hh_w), sum * LL_f, k_w * (aa_w * hh_f), sum * LL_w, (k_f * k_w) * (coupling * coupling)};
+    }
+
+    void note_straightening(std::int32_t pack, std::int32_t at) {
+        if (has_straightened_) return;
+        has_straightened_ = fabric::any(slack_form(pack, at, watch_.lending, watch_.smallest_area).above(watch_.slack));
     }
 
     /// A pack on the way to its sharper bounds.
@@ -176,12 +204,6 @@ class FeatureGroup final : public ElementGroup {
         auto quad = quads_.pack_from(at);
         const auto state = load(pack, quad);
         const auto alive = quad.area > 0.0;
-        if constexpr (F.crimp) {
-            for (const auto& yarn : straightness(quad, state)) {
-                const Pack now = yarn.numerator / yarn.denominator;
-                bounds.straightness = std::max(bounds.straightness, largest_lane(select(alive, now, Pack(0.0))));
-            }
-        }
         const auto tangent = fabric::tangent_bound<F>(constants_, state);
         const auto k = kinematics_of(quad, x);
         const auto normal = cross(k.g_f, k.g_w);
@@ -191,26 +213,26 @@ class FeatureGroup final : public ElementGroup {
         const Pack lean = (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
         const auto even = membrane_form(tangent, cosine, sine, gradient_products(quad), areal_density_);
         for (std::size_t i = 0; i < lendings.size(); ++i) {
-            if (bounds.along[i] >= start.limit) continue;
+            if (bounds[i] >= start.limit) continue;
             const double c = lendings[i].coupling * coupling_at_rest_, m = lendings[i].mass;
             Sharpened sharpened{.alive = alive, .form = even, .c = c * lean, .tilted = 0.0, .across = start.across};
             if (c > 0) {
                 const Pack area = c * even.area;
                 sharpened.tilted = area * area * fabric::max(Pack(1.0 - lean * lean), Pack(0.0));
             }
-            if (m != 0) lend(std::abs(m), m > 0, quad, tangent, cosine, sine, start.smallest_area, sharpened);
-            raise(bounds.along[i], sharpened, start.limit);
+            if (m != 0)
+                sharpened.form = membrane_form(tangent, cosine, sine, lent_products(m, quad, alive, start.smallest_area), areal_density_);
+            raise(bounds[i], sharpened, start.limit);
         }
     }
 
-    /// Lends mass. A corner of the panel has no neighbour that would lend to it: its part there stays a quarter, which is allowed for at
-    /// one corner of every element.
-    void lend(double part, bool to_first, const Quad<Pack>& quad, const fabric::Tangent<Pack>& tangent, const Pack& cosine,
-              const Pack& sine, double smallest_area, Sharpened& sharpened) const {
-        const Pack lent = part * smallest_area / select(sharpened.alive, quad.area, Pack(smallest_area));
+    /// Gradient products with mass lent. A corner of the panel has no neighbour that would lend to it: its part there stays a quarter,
+    /// which is allowed for at one corner of every element.
+    [[nodiscard]] static std::array<Pack, 3> lent_products(double mass, const Quad<Pack>& quad, const fabric::Mask& alive,
+                                                           double smallest_area) {
+        const Pack lent = std::abs(mass) * smallest_area / select(alive, quad.area, Pack(smallest_area));
         const Pack richer = 0.5 + 0.5 / (1.0 + lent), poorer = 1.0 / (1.0 - lent);
-        const auto G = to_first ? gradient_products(quad, richer, poorer) : gradient_products(quad, poorer, richer);
-        sharpened.form = membrane_form(tangent, cosine, sine, G, areal_density_);
+        return mass > 0 ? gradient_products(quad, richer, poorer) : gradient_products(quad, poorer, richer);
     }
 
     /// Raises `known` to the first step that bounds the pack: one step after the other, or, where these are many, by eigenvalues.

@@ -35,8 +35,8 @@ constexpr int longest_wait = 32;
 // Packing builds up within some ten steps. Where yarns are watched for it, and for straightening, the bound holds for longer.
 constexpr std::int64_t steps_unwatched = 5, steps_while_watched = 10;
 
-// Slack yarns may come so much nearer to straight, by omega^2, before the bound is looked for anew: half of it is the step's, far less than
-// the safety factor leaves.
+// Slack yarns may straighten until their omega^2 is so much above the bound before that is looked for anew: half of it is the step's, far
+// less than the safety factor leaves.
 constexpr double let_straighten = 1.03;
 
 /// Of `springs` contact springs over a mass per area. @param reduced mass per area that the law's fraction of critical damping refers to
@@ -211,7 +211,7 @@ double StepBound::frequency_squared(const Model& model, std::span<const contact:
         choose_lendings(may_lend && most[crimped] > 0, may_lend && most[packed] > 0 && !single_element_, start);
         most[along] = sharpened(model, start, most[along], comm);
     }
-    watch_.packing = watch_.straightness < std::numeric_limits<double>::infinity() && most[packed] == 0;
+    watch_.packing = watch_.slack < std::numeric_limits<double>::infinity() && most[packed] == 0;
     steps_to_next_ = watch_.packing ? steps_while_watched : steps_unwatched;
     return shell::in_steps(joint(most[along], sine_squared));
 }
@@ -230,14 +230,14 @@ void StepBound::choose_lendings(bool coupling, bool mass, shell::SharpeningStart
 }
 
 double StepBound::sharpened(const Model& model, const shell::SharpeningStart& start, double held, const parallel::Communicator& comm) {
-    shell::SharperBounds bounds{.along = start.least};
+    shell::SharperBounds bounds = start.least;
     for (const auto& group : model.groups) group->sharpen(start, model.nodes.x, bounds);
-    comm.max(bounds.along);
-    for (std::size_t i = 0; i < last_.size(); ++i) last_[i] = bounds.along[i] < start.limit ? bounds.along[i] : 0;
+    comm.max(bounds);
+    for (std::size_t i = 0; i < last_.size(); ++i) last_[i] = bounds[i] < start.limit ? bounds[i] : 0;
     double least = held;
     best_ = -1;
-    for (std::size_t i = 0; i < bounds.along.size(); ++i) {
-        double bound = bounds.along[i];
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        double bound = bounds[i];
         if (const double coupling = shell::lendings[i].coupling * coupling_at_rest_; coupling > 0) {
             if (free_edges_.too_near) continue;
             const double inside = bound - std::max(start.hourglass, start.across);
@@ -250,7 +250,12 @@ double StepBound::sharpened(const Model& model, const shell::SharpeningStart& st
             best_ = static_cast<int>(i);
         }
     }
-    if (best_ >= 0) watch_.straightness = let_straighten * comm.max(bounds.straightness);
+    if (best_ >= 0) {
+        const auto best = static_cast<std::size_t>(best_);
+        double slack = bounds[best];
+        for (const auto& group : model.groups) slack = std::max(slack, group->slack_frequency(shell::lendings[best], smallest_area_));
+        watch_ = {.slack = let_straighten * comm.max(slack), .lending = shell::lendings[best], .smallest_area = smallest_area_};
+    }
     ++attempts_;
     // Where nothing is won the attempts become rare: a yarn that has straightened stays so for long.
     will_wait_ = best_ >= 0 ? 1 : std::min(2 * will_wait_, longest_wait);

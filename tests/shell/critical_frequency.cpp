@@ -59,9 +59,9 @@ Frequencies frequencies(const scene::Fabric& fabric, const Mesh& mesh, double an
     const double area = shell::make_quad(corners_of(mesh, 0, mesh.X), angle).area, nodal_mass = fabric.areal_density * area / 4;
     const auto held = elements.group->frequencies();
     const shell::SharpeningStart start{{held.along * 1e-6}, 4 * held.along, held.across, held.hourglass, Eigen::Vector3d::UnitZ(), area};
-    shell::SharperBounds sharper{.along = start.least};
+    shell::SharperBounds sharper = start.least;
     elements.group->sharpen(start, x, sharper);
-    return {std::max(held.along, held.across), std::max(sharper.along[0], held.across), largest_eigenvalue(K) / nodal_mass};
+    return {std::max(held.along, held.across), std::max(sharper[0], held.across), largest_eigenvalue(K) / nodal_mass};
 }
 
 Mesh square() {

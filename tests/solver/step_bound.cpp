@@ -110,17 +110,18 @@ TEST(FreeEdges, AddTheEigenvalueOfWhatIsLeftOnThem) {
         }
 }
 
-/// Slack yarns that are pulled straight within 20 steps. Between two checks a step may be longer than the present state allows by half of
-/// what the safety factor leaves.
-TEST(StepBound, ShortensTheStepBeforeSlackYarnsAreStraight) {
+/// Pulls the fill of slack fabric straight within 20 steps, where |y| is at least `from`. Between two checks a step may be longer than the
+/// present state allows by half of what the safety factor leaves.
+void straighten(const std::string& mesh, double from) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto scene =
-        scene_with({"projectile=", "contact=", "fabrics.kevlar129.thickness=0.82 mm",
-                    "fabrics.kevlar129.lateral=", "fabrics.kevlar129.friction=", "target.edges={x: free, y: fixed}", "time.safety=0.9"});
+    const auto scene = scene_with({"projectile=", "contact=", "fabrics.kevlar129.thickness=0.82 mm",
+                                   "fabrics.kevlar129.lateral=", "fabrics.kevlar129.friction=", "target.mesh=" + mesh,
+                                   "target.edges={x: free, y: fixed}", "time.safety=0.9"});
     Simulation simulation(scene, comm);
     const double rate = 2e4;  // 1/s
     set_motion(
-        simulation, [](const Vec3& x) { return x; }, [&](const Vec3& x) { return Vec3(rate * x.x(), 0, 0); });
+        simulation, [](const Vec3& x) { return x; },
+        [&](const Vec3& x) { return std::abs(x.y()) < from ? Vec3(Vec3::Zero()) : Vec3(rate * x.x(), 0, 0); });
     const double longest = simulation.time_step();
     double shortest = longest;
     for (int n = 0; n < 60; ++n) {
@@ -133,5 +134,10 @@ TEST(StepBound, ShortensTheStepBeforeSlackYarnsAreStraight) {
     }
     EXPECT_LT(shortest, 0.75 * longest);  // they were slack, and became straight
 }
+
+TEST(StepBound, ShortensTheStepBeforeSlackYarnsAreStraight) { straighten("{center: 2 mm}", 0); }
+
+// The elements that straighten are as short as the square ones along the fill, and three times as long along the warp.
+TEST(StepBound, ShortensTheStepWhereOnlyOblongElementsStraighten) { straighten("{center: 1 mm, edge: 3 mm, growth: 1.6}", 3e-3); }
 
 }  // namespace weavefront::solver::test

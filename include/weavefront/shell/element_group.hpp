@@ -110,10 +110,16 @@ class ElementGroup {
     /// @param x positions of the local nodes, m
     void sharpen(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const;
 
+    /// omega^2 in the plane of the alive elements if their yarns were slack and at right angles, 1/s2; 0 where `sharpen` lets no crossover
+    /// go. It follows from the stretches and the crossover alone, and rises when slack yarns straighten.
+    [[nodiscard]] virtual double slack_frequency(const Lending& lending, double smallest_area) const = 0;
+
     /// What makes yarns stiffer than the bounds allow for, to be looked out for from now on. By default nothing.
     struct Watch {
-        double straightness = std::numeric_limits<double>::infinity();  ///< of any element, 1/s2
-        bool packing = false;                                           ///< the first packed yarns, where none of any rank are
+        double slack = std::numeric_limits<double>::infinity();  ///< the first slack_frequency above it, 1/s2
+        Lending lending{};
+        double smallest_area = 0;  ///< m2
+        bool packing = false;      ///< the first packed yarns, where none of any rank are
     };
     void watch(const Watch& watch) { watch_ = watch; }
     /// Whether it has come, in the last step of all elements.

@@ -40,20 +40,17 @@ inline constexpr std::array<Lending, 12> lendings{{{0, 0},
                                                    {0, most_lent},
                                                    {0, -most_lent}}};
 
+/// Bounds on `along` by lending, 1/s2.
+using SharperBounds = std::array<double, lendings.size()>;
+
 /// What sharper bounds start from.
 struct SharpeningStart {
-    std::array<double, lendings.size()> least;  ///< where the search starts; `limit`: this one is not tried, 1/s2
-    double limit;                               ///< bounds that reach it are of no use and are not followed further, 1/s2
-    double across;                              ///< bound on the motion out of the elements' planes, 1/s2
-    double hourglass;                           ///< on hourglass modes in them, 1/s2
-    Eigen::Vector3d axis;                       ///< unit normal of the plane onto which areas are projected
-    double smallest_area;                       ///< of all elements, initial, m2
-};
-
-/// Bounds by lending; `straightness` tells how far the yarns that these count as slack have straightened.
-struct SharperBounds {
-    std::array<double, lendings.size()> along;  ///< 1/s2
-    double straightness = 0;                    ///< 1/s2
+    SharperBounds least;   ///< where the search starts; `limit`: this one is not tried, 1/s2
+    double limit;          ///< bounds that reach it are of no use and are not followed further, 1/s2
+    double across;         ///< bound on the motion out of the elements' planes, 1/s2
+    double hourglass;      ///< on hourglass modes in them, 1/s2
+    Eigen::Vector3d axis;  ///< unit normal of the plane onto which areas are projected
+    double smallest_area;  ///< of all elements, initial, m2
 };
 
 }  // namespace weavefront::shell

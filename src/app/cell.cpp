@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "csv_table.hpp"
 #include "deformation_path.hpp"
+#include "output_file.hpp"
 
 namespace weavefront::app {
 namespace {
@@ -66,6 +67,7 @@ CsvTable deform(const fabric::Constants& c, const fabric::Features& features, co
 void cell(const Options& options) {
     const scene::Fabric fabric = chosen_fabric(options.scene, options.fabric);
     const std::vector<Deformation> path = read_deformation_path(options.path);
+    require_output_file("--out", options.out, {options.scene, options.path});
     const fabric::Constants constants = fabric::constants_of(fabric);
     const fabric::Features features = fabric::features_of(fabric);
     fabric::with_features(features, [&]<fabric::Features F>() { return deform<F>(constants, features, path); }).write(options.out);

@@ -28,6 +28,24 @@ std::vector<std::string> doubts(const scene::Fabric& fabric) {
     return found;
 }
 
+/// Of a projectile that does not reach the target. Its default position touches the first ply.
+std::vector<std::string> doubts_of_way(const scene::Projectile& projectile, const scene::Fabric& first, double end) {
+    const double gap = -first.contact_thickness / 2 - projectile.position[2], speed = projectile.velocity[2];
+    if (gap / speed < end) return {};
+    return {fmt::format("the projectile needs {:.4g} us to the first ply, the run ends at {:.4g} us", gap / speed * 1e6, end * 1e6)};
+}
+
+std::vector<std::string> doubts(const scene::Frame& frame, double across) {
+    std::vector<std::string> found;
+    for (std::size_t d = 0; d < 2; ++d) {
+        const auto& half = frame.half_opening[d];
+        if (half && 2 * *half < across)
+            found.push_back(fmt::format("the frame's opening is {:.4g} mm along {}, less than the {:.4g} mm of the projectile", *half * 2e3,
+                                        d == 0 ? "x" : "y", across * 1e3));
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<std::string> doubts(const scene::Scene& scene) {
@@ -36,6 +54,9 @@ std::vector<std::string> doubts(const scene::Scene& scene) {
     if (!scene.projectile || !scene.target) return found;
     const double across = scene.projectile->diameter, size = std::max(scene.target->size[0], scene.target->size[1]);
     if (across > size) found.push_back(fmt::format("the projectile is {:.4g} mm across, the target {:.4g} mm", across * 1e3, size * 1e3));
+    const auto& first = scene.fabrics[static_cast<std::size_t>(scene.target->plies.front().fabric)];
+    std::ranges::move(doubts_of_way(*scene.projectile, first, scene.time.end), std::back_inserter(found));
+    if (scene.target->frame) std::ranges::move(doubts(*scene.target->frame, across), std::back_inserter(found));
     return found;
 }
 

@@ -71,6 +71,10 @@ class Impact::Parts {
             stopped = stop.what();
         } catch (const io::NotFinite& refused) {
             stopped = refused.what();
+        } catch (const io::FileError& failure) {
+            log_.record(
+                fmt::format("Ended at t = {:.6g} us after {} steps: {}", simulation_.time() * 1e6, simulation_.steps(), failure.what()));
+            throw;
         }
         try {
             if (stopped) write_frame();
@@ -78,6 +82,7 @@ class Impact::Parts {
             *stopped += std::string("; ") + refused.what();
         }
         progress.finish();
+        if (load_ && !is_rebalanced_) report_.never_rebalanced(load_->worst());
         report_.finish(simulation_, last_, stopped, directory_);
         if (stopped) throw GuardStop(*stopped);
     }
@@ -107,6 +112,7 @@ class Impact::Parts {
         simulation_.redistribute(better->decomposition);
         results_.redistribute(topology_of(simulation_));
         report_.rebalanced(simulation_, *better);
+        is_rebalanced_ = true;
     }
 
     void write_row() {
@@ -153,6 +159,7 @@ class Impact::Parts {
     std::optional<solver::LoadWatch> load_;
     solver::Balance last_;
     std::int64_t balanced_ = 0;  // step
+    bool is_rebalanced_ = false;
 };
 
 Impact::Impact(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm, io::Terminal terminal,

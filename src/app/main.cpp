@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "commands.hpp"
@@ -26,8 +28,12 @@ bool is_first_rank() {
 }
 
 Status report(Status status, const std::vector<std::string>& messages) {
-    // The launcher kills the first rank, perhaps before it has printed, when another one fails; what all ranks find alike is its to tell.
-    if (!is_first_rank()) return status == system_error ? status : done;
+    // The launcher kills the first rank when another one fails; what all ranks find alike is its to tell, and it is given time to print.
+    if (!is_first_rank()) {
+        if (status != system_error) return done;
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        return status;
+    }
     for (const std::string& message : messages) fmt::print(stderr, "weavefront: error: {}\n", message);
     return status;
 }

@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "impact.hpp"
+#include "output_file.hpp"
 #include "partition/calibration.hpp"
 #include "partition/machine_file.hpp"
 #include "partition/pace.hpp"
@@ -98,8 +99,13 @@ void partition(const Options& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const auto scene = scene::parse_scene(shared_text(options.scene, comm), options.scene.string(), options.overrides);
+    const bool calibrates = !options.calibrate.empty();
+    if (const auto& file = calibrates ? options.calibrate : options.out; !file.empty()) {
+        require_other_file(calibrates ? "--calibrate" : "--out", file, {options.scene, options.machine});
+        parallel::on_root(comm, [&] { io::require_replaceable(file); });
+    }
     try {
-        options.calibrate.empty() ? scale(options, scene, comm) : run_calibration(options, scene, comm);
+        calibrates ? run_calibration(options, scene, comm) : scale(options, scene, comm);
     } catch (const solver::GuardStop& stop) {
         throw GuardStop(stop.what());
     }

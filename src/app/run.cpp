@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -34,6 +36,7 @@ void run(const Options& options) {
     require_memory(mesh::make_panel(scene).elements(), comm);
     const auto directory = options.output.empty() ? std::filesystem::path("runs") / options.scene.stem() : options.output;
     const io::OutputDirectory kept(directory, comm);
+    if (comm.rank() == 0 && kept.replaces()) fmt::print("{}: replaces the run that was there\n", directory.string());
     Impact(scene, directory, comm, io::Terminal::shown, options.rebalance).to_the_end();
 }
 
@@ -53,7 +56,7 @@ void add_run(CLI::App& app) {
         ->check([](const std::string& text) {
             double share = -1;
             const bool number = CLI::detail::lexical_cast(text, share) && share >= 0 && std::isfinite(share);
-            return number ? std::string() : "found '" + text + "', allowed a number of at least 0";
+            return number ? std::string() : "found '" + text + "', allowed a number of at least 0, such as 0.1 for 10 %";
         });
     command->callback([options] { run(*options); });
 }

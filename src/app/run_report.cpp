@@ -16,6 +16,9 @@ namespace weavefront::app {
 
 namespace {
 
+// The share of the internal energy from which hourglass energy is commonly questioned.
+constexpr double most_hourglass = 0.1;
+
 std::array<double, 3> array_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -112,6 +115,14 @@ void RunReport::rebalanced(const solver::Simulation& simulation, const solver::R
                           simulation.time() * 1e6, (rebalancing.measured - 1) * 100, (rebalancing.predicted - 1) * 100));
 }
 
+void RunReport::never_rebalanced(double worst) {
+    const auto reason = comm_.size() == 1 ? std::string("a single rank has nobody to share with")
+                        : worst == 0      ? fmt::format("fewer than {} steps", solver::LoadWatch::window)
+                                          : fmt::format("in {} steps the slowest rank took at most {:.0f} % more than the mean",
+                                                        solver::LoadWatch::window, (worst - 1) * 100);
+    log_.info("  rebalanced    never: " + reason);
+}
+
 void RunReport::finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,
                        const std::filesystem::path& directory) {
     io::Summary summary;
@@ -149,8 +160,14 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     log_.info(
         fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded", last.broken_yarns, last.eroded_elements));
     log_.info(fmt::format(
-        "  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; hourglass {:.3g} J, contact {:.3g} J",
-        simulation.counts().largest_closure * 100, last.turnover, last.hourglass, last.contact));
+        "  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; fabric {:.3g} J, hourglass {:.3g} J, contact "
+        "{:.3g} J",
+        simulation.counts().largest_closure * 100, last.turnover, last.internal, last.hourglass, last.contact));
+    if (last.hourglass > most_hourglass * last.internal)
+        log_.warn(
+            fmt::format("the hourglass energy is {:.3g} % of the fabric's own: it deforms as finely as its elements, where a finer "
+                        "mesh might show more",
+                        last.hourglass / last.internal * 100));
     if (scene_.projectile && array_of(last.projectile_velocity) == scene_.projectile->velocity)
         log_.warn("the projectile never touched the target");
     if (simulation.counts().lowest_contact_energy < 0)

@@ -30,6 +30,8 @@ class RunReport {
 
     /// Columns have moved between ranks.
     void rebalanced(const solver::Simulation& simulation, const solver::Rebalancing& rebalancing);
+    /// They might have, and have not. @param worst slowest rank over the mean, at most; 0: never measured
+    void never_rebalanced(double worst);
 
     /// The closing lines and summary.json. @note Collective
     void finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,

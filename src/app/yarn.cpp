@@ -13,6 +13,7 @@
 #include "chosen_fabric.hpp"
 #include "commands.hpp"
 #include "csv_table.hpp"
+#include "output_file.hpp"
 #include "weavefront/scene/read.hpp"
 
 namespace weavefront::app {
@@ -77,6 +78,7 @@ void require_rates(const std::vector<double>& rates) {
 void yarn(const Options& options) {
     require_rates(options.rates);
     const scene::Fabric fabric = chosen_fabric(options.scene, options.fabric);
+    require_output_file("--out", options.out, {options.scene});
     const fabric::Constants constants = fabric::constants_of(fabric);
     const Sampling sample = sampling(fabric);
     // a yarn by itself is straight and touches nothing

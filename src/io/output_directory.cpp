@@ -34,7 +34,7 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& path, const parall
             ::close(lock_);
             throw FileError("output directory " + path.string() + " is in use by another run");
         }
-        std::filesystem::remove(path / "summary.json");
+        replaces_ = std::filesystem::remove(path / "summary.json");
     });
     agreement.settle<FileError>();
 }

@@ -1,7 +1,11 @@
 #include "weavefront/io/results.hpp"
 
+#include <fmt/format.h>
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -54,7 +58,10 @@ class Results::File {
         const QuietHdf5 quiet;
         const std::string unfinished = path_ + ".new";
         Agreement agreement(comm_);
-        agreement.attempt_on_root([&] { create_results_skeleton(unfinished, setup); });
+        agreement.attempt_on_root([&] {
+            require_space(setup);
+            create_results_skeleton(unfinished, setup);
+        });
         agreement.settle<FileError>();
         agreement.attempt([&] { write_topology(unfinished, setup, elements_, comm_); });
         agreement.settle<FileError>();
@@ -91,10 +98,41 @@ class Results::File {
 
     [[nodiscard]] std::int64_t frames() const { return frames_; }
 
+    /// What to add to a failure; empty: the disk has room.
+    [[nodiscard]] std::string fullness() const {
+        std::error_code unknown;
+        const auto disk = std::filesystem::space(path_, unknown);
+        constexpr std::uintmax_t hardly_any = 1 << 20;
+        return !unknown && disk.available < hardly_any ? ": No space left on device" : "";
+    }
+
   private:
     static std::vector<Array> shapes(std::vector<Array> arrays) {
         for (auto& array : arrays) array.values = std::vector<double>();  // gives its memory back
         return arrays;
+    }
+
+    /// HDF5 does not survive a disk that is full at the wrong moment, and nobody wants to learn of it at the end of a run.
+    static void require_space(const ResultsSetup& setup) {
+        constexpr double of_other_files = 1e6;  // history, log and summary
+        const auto folder = std::filesystem::absolute(setup.path).parent_path();
+        std::error_code unknown;  // then creating the file tells why
+        const auto disk = std::filesystem::space(folder, unknown);
+        if (unknown) return;
+        const auto left = static_cast<double>(disk.available) + taken_by(setup.path);
+        const double needed = results_bytes(setup) + of_other_files;
+        if (needed > left)
+            throw FileError(
+                fmt::format("{} may grow to {:.4g} GB with its {} frames, but only {:.4g} GB are free there: write fewer frames "
+                            "(output.interval) or fields (output.fields), or to another disk (--output)",
+                            setup.path.string(), needed / 1e9, setup.max_frames, left / 1e9));
+    }
+
+    /// What the disk gets back when a file is replaced, bytes: results are sparse until they are written.
+    static double taken_by(const std::filesystem::path& path) {
+        struct stat found {};
+        constexpr double of_block = 512;
+        return ::stat(path.c_str(), &found) == 0 ? of_block * static_cast<double>(found.st_blocks) : 0.0;
     }
 
     [[nodiscard]] std::string doing(const std::string& name) const { return "writing " + path_ + ": " + name; }
@@ -174,7 +212,13 @@ Results::~Results() = default;
 Results::Results(Results&&) noexcept = default;
 Results& Results::operator=(Results&&) noexcept = default;
 
-void Results::write(const Frame& frame) { file_->write(frame); }
+void Results::write(const Frame& frame) {
+    try {
+        file_->write(frame);
+    } catch (const FileError& failure) {
+        throw FileError(failure.what() + file_->fullness());  // of which MPI-IO says nothing
+    }
+}
 
 void Results::redistribute(const Topology& topology) { file_->redistribute(topology); }
 

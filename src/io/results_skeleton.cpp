@@ -100,6 +100,22 @@ std::int64_t PartSizes::all_points() const { return std::reduce(points.begin(), 
 
 std::int64_t PartSizes::all_cells() const { return std::reduce(cells.begin(), cells.end()); }
 
+double results_bytes(const ResultsSetup& setup) {
+    const PartSizes sizes(setup);
+    const auto of_arrays = [](const std::vector<Array>& arrays) {
+        double bytes = 0;
+        for (const auto& array : arrays)
+            bytes += array.components * static_cast<double>(array.integer ? sizeof(std::int8_t) : sizeof(double));
+        return bytes;
+    };
+    constexpr double of_point = 3 * sizeof(double), of_cell_in_frame = 1;            // Points; vtkGhostType
+    constexpr double of_cell = 5 * sizeof(std::int64_t) + 1 + sizeof(std::int32_t);  // Connectivity and Offsets; Types; ply
+    const auto points = static_cast<double>(sizes.all_points()), cells = static_cast<double>(sizes.all_cells());
+    const double frame =
+        points * (of_point + of_arrays(setup.layout.point_data)) + cells * (of_cell_in_frame + of_arrays(setup.layout.cell_data));
+    return static_cast<double>(setup.max_frames) * frame + cells * of_cell;
+}
+
 void create_results_skeleton(const std::string& path, const ResultsSetup& setup) {
     const H5Properties creation = creation_properties(H5P_FILE_CREATE, path);
     H5File file(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), unlocked_access(path).get()), "creating " + path));

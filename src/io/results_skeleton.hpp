@@ -24,6 +24,9 @@ struct PartSizes {
     [[nodiscard]] std::int64_t all_cells() const;
 };
 
+/// Bytes of the arrays of a file that holds `max_frames` frames, nearly all of it.
+[[nodiscard]] double results_bytes(const ResultsSetup& setup);
+
 /// Creates the file on one process: groups, attributes, all extents and all offsets, with NSteps = 0. File space is allocated for
 /// `max_frames` frames, sparse until they are written.
 /// @param path   of the file; replaced

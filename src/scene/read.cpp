@@ -60,6 +60,10 @@ Scene parse_changed_scene(const std::string& text, const std::string& name, cons
         context.findings.add(start, "", describe(document), "a map of keys, beginning with title or fabrics");
         context.findings.raise();
     }
+    if (const Entry* variants = find(document, "variants"); variants != nullptr && find(document, "fabrics") == nullptr) {
+        context.findings.add(variants->value.where, "variants", "a study", "a scene; studies are computed by weavefront study");
+        context.findings.raise();
+    }
     Section root(document, start, "", context);
     Scene scene = read_parts(root, need);
     root.refuse_unknown();
@@ -71,10 +75,14 @@ Scene parse_changed_scene(const std::string& text, const std::string& name, cons
 }
 
 std::string read_text(const std::filesystem::path& path) {
+    const auto refuse = [&](int cause) {
+        throw std::runtime_error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(cause)));
+    };
+    if (std::filesystem::is_directory(path)) refuse(EISDIR);
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     if (file) text << file.rdbuf();
-    if (!file) throw std::runtime_error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+    if (!file) refuse(errno);
     return text.str();
 }
 

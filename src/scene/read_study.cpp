@@ -190,6 +190,11 @@ Study parse_study(const std::string& text, const std::string& name, const std::f
         context.findings.add(start, "", describe(document), "a map of keys, such as scene and variants");
         context.findings.raise();
     }
+    if (const Entry* fabrics = find(document, "fabrics")) {
+        context.findings.add(fabrics->value.where, "fabrics", "a scene",
+                             "a study, which names its scene; scenes are computed by weavefront run");
+        context.findings.raise();
+    }
     Section root(document, start, "", context);
     Study study = Reader(root, context, std::filesystem::path(name).parent_path()).read(vocabulary);
     study.text = text;

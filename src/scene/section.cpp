@@ -54,14 +54,15 @@ double Section::quantity(std::string_view key, const Dimension& dimension, const
 }
 
 double Section::read_quantity(const Value& value, const std::string& path, const Dimension& dimension, const Range& range) {
-    std::string found = describe(value);
+    std::string found = describe(value), meant;
     if (value.kind == Value::Kind::scalar) {
         const Quantity quantity = context_.units.read(value.text, dimension);
         const bool low = range.low_included ? quantity.value < range.low : quantity.value <= range.low;
         if (quantity.problem.empty() && !low && quantity.value <= range.high) return quantity.value;
         if (!quantity.problem.empty()) found += ", " + quantity.problem;
+        meant = quantity.nearest;
     }
-    context_.findings.add(value.where, path, found, allowed_quantity(dimension, range));
+    context_.findings.add(value.where, path, found, allowed_quantity(dimension, range), meant);
     return std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace weavefront::scene {
 namespace {
@@ -57,6 +60,23 @@ std::optional<double> read_angle(std::string_view number, std::string_view unit)
     return std::nullopt;
 }
 
+// Units of the trade that udunits2 does not know, or takes for others (oz: a volume, mph: a brightness), and how it writes them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> of_the_trade{
+    {{"oz", "avoirdupois_ounce"}, {"gsm", "g/m^2"}, {"fps", "ft/s"}, {"mph", "mile/hour"}, {"kph", "km/hour"}, {"kmh", "km/hour"}}};
+
+/// A unit with the first word that is of the trade as udunits2 writes it; empty: none is.
+std::string written_out(std::string_view unit) {
+    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    for (auto first = std::ranges::find_if(unit, is_letter); first != unit.end();) {
+        const auto last = std::find_if_not(first, unit.end(), is_letter);
+        const auto* known = std::ranges::find(of_the_trade, std::string_view(first, last), [](const auto& pair) { return pair.first; });
+        if (known != of_the_trade.end())
+            return fmt::format("{}{}{}", std::string_view(unit.begin(), first), known->second, std::string_view(last, unit.end()));
+        first = std::find_if(last, unit.end(), is_letter);
+    }
+    return {};
+}
+
 std::string describe(ut_system* system, ut_unit* unit) {
     for (const Dimension& dimension : known_dimensions) {
         if (ut_are_convertible(unit, parse_unit(system, dimension.si).get()) != 0) return std::string(dimension.name);
@@ -91,7 +111,11 @@ Quantity Units::read(std::string_view text, const Dimension& wanted) const {
         if (wanted.name == angle.name) return {.value = *radians};
         return {.problem = std::string(angle.name)};
     }
-    return convert(number, unit, wanted);
+    Quantity quantity = convert(number, unit, wanted);
+    if (quantity.problem.empty()) return quantity;
+    if (const auto meant = written_out(unit); !meant.empty() && convert(number, meant, wanted).problem.empty())
+        quantity.nearest = fmt::format("{} {}", number, meant);
+    return quantity;
 }
 
 Quantity Units::convert(std::string_view number, std::string_view unit, const Dimension& wanted) const {

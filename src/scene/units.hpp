@@ -36,6 +36,7 @@ inline constexpr Dimension area_stiffness{"a stiffness per area", "N/m^3", "5.6e
 struct Quantity {
     double value = std::numeric_limits<double>::quiet_NaN();  ///< SI; NaN when there is a problem
     std::string problem = {};                                 ///< what it is instead of what was wanted; empty: nothing
+    std::string nearest = {};                                 ///< how to write what was probably meant; empty: unknown
 };
 
 /// The database of units. udunits2 is not thread-safe: one object, one thread.

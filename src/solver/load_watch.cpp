@@ -113,6 +113,7 @@ std::optional<Rebalancing> LoadWatch::look(const Simulation& simulation, const p
         slowest = std::max(slowest, load.elements + load.contact);
     }
     const double measured = slowest * comm.size() / (sum.elements + sum.contact);
+    worst_ = std::max(worst_, measured);
     above_ = measured > 1 + limit_ ? above_ + 1 : 0;
     if (above_ < windows_above) return {};
     above_ = 0;

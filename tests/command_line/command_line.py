@@ -28,6 +28,9 @@ CASES = [
     (["yarn", "--rates", "1,10", "no_such_file.yaml", "--out", "y.csv"], 3, ["no_such_file.yaml: cannot be read"]),
     (["--vresion"], 2, ["option '--vresion': unknown, allowed --help, --version, did you mean '--version'?"]),
     (["run"], 2, [""]),
+    (["check", "folder"], 3, ["folder: cannot be read: Is a directory"]),
+    (["check", "study.yaml"], 2, ["study.yaml:2:11: variants: found a study, allowed a scene; studies are computed by weavefront study"]),
+    (["study", "bad.yaml"], 2, ["bad.yaml:2:10: fabrics: found a scene, allowed a study, which names its scene"]),
     (["check", "no_such_file.yaml"], 3, ["no_such_file.yaml: cannot be read: No such file or directory"]),
     (
         ["check", "--set", "title=x", "--set", "fabrics.b.yarn=1", "bad.yaml"],
@@ -57,6 +60,9 @@ def main():
         os.chdir(folder)
         with open("bad.yaml", "w") as file:
             file.write(BAD_SCENE)
+        with open("study.yaml", "w") as file:
+            file.write("scene: bad.yaml\nvariants: []\n")
+        os.mkdir("folder")
         for arguments, status, beginnings in CASES:
             result = call(program, arguments)
             lines = result.stderr.splitlines()

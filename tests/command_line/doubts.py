@@ -7,6 +7,7 @@ DOUBTFUL = {
     "fabrics.kevlar129.yarn.area=6.48 mm^2": "weigh 2.053e+04 g/m2",
     "fabrics.kevlar129.thickness=0.82 m": "rise and fall by 820 mm every 0.909 mm",
     "projectile.diameter=5.38 Mm": "the projectile is 5.38e+09 mm across, the target 203.2 mm",
+    "projectile.position=[0 m, 0 m, -1 m]": "needs 3745 us to the first ply, the run ends at 200 us",
     "projectile.velocity.2=26700 m/s": "more than the 0.1417 mm that a ply is thick",
 }
 TOO_FINE = ["--set", "target.mesh={center: 0.005 mm, edge: 0.005 mm}"]

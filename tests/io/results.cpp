@@ -26,6 +26,15 @@ TEST_F(ResultsTest, FailOnAllRanksWhereTheyCannotBeCreated) {
     EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
 }
 
+TEST_F(ResultsTest, FailBeforeAnythingIsWrittenWhereTheDiskCannotHoldThem) {
+    constexpr int frames = 2'000'000'000;
+    const auto path = directory_ / "results.vtkhdf";
+    const auto message = message_of<FileError>([&] { const Results results(model_.setup(path, frames), comm_); });
+    EXPECT_NE(message.find(path.string() + " may grow to"), std::string::npos) << message;
+    EXPECT_NE(message.find("with its 2000000000 frames, but only"), std::string::npos) << message;
+    EXPECT_FALSE(std::filesystem::exists(path.string() + ".new"));
+}
+
 // A value that is not finite on one rank stops all of them, and the frame does not count.
 TEST_F(ResultsTest, RefuseWhatIsNotFinite) {
     Results results(model_.setup(directory_ / "results.vtkhdf", 2), comm_);

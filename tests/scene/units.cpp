@@ -84,6 +84,20 @@ TEST(Units, WhatIsNoQuantityIsRefused) {
     }
 }
 
+TEST(Units, WhatTradersWriteIsToldAsUdunitsWritesIt) {
+    const auto told = [](const std::string& mine, const std::string& text) {
+        const auto messages = findings(example_with(mine, text));
+        const auto& message = messages.at(0);
+        const auto question = message.find("did you mean '");
+        return question == std::string::npos ? "nothing" : message.substr(question);
+    };
+    EXPECT_EQ(told("204 g/m^2", "6 oz/yd^2"), "did you mean '6 avoirdupois_ounce/yd^2'?");
+    EXPECT_EQ(told("204 g/m^2", "204 gsm"), "did you mean '204 g/m^2'?");
+    EXPECT_EQ(told("[0, 0, 428 m/s]", "[0, 0, 876 fps]"), "did you mean '876 ft/s'?");
+    EXPECT_EQ(told("[0, 0, 428 m/s]", "[0, 0, 597 mph]"), "did you mean '597 mile/hour'?");
+    EXPECT_EQ(told("[0, 0, 428 m/s]", "[0, 0, 267 oz]"), "nothing");  // no velocity by any name
+}
+
 TEST(Units, AnglesAreNoNumbersAndNumbersNoAngles) {
     EXPECT_TRUE(findings(example_with("friction: 0.11", "friction: 0.11 deg"))[0].starts_with(
         "s.yaml:12:15: fabrics.kevlar129.friction: found '0.11 deg', an angle, allowed a number of at least 0"));

@@ -22,8 +22,12 @@ class OutputDirectory {
     OutputDirectory(const OutputDirectory&) = delete;
     OutputDirectory& operator=(const OutputDirectory&) = delete;
 
+    /// Whether an earlier run had ended there; on rank 0.
+    [[nodiscard]] bool replaces() const { return replaces_; }
+
   private:
     int lock_ = -1;  // descriptor of the directory, on rank 0
+    bool replaces_ = false;
 };
 
 }  // namespace weavefront::io

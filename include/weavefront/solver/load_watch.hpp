@@ -32,6 +32,9 @@ class LoadWatch {
     /// @note Collective at the ends of windows
     std::optional<Rebalancing> look(const Simulation& simulation, const parallel::Communicator& comm);
 
+    /// Slowest rank over the mean in the worst window so far; 0: there was none.
+    [[nodiscard]] double worst() const { return worst_; }
+
   private:
     static constexpr int windows_above = 2;  // a single one may be a disturbance from outside
 
@@ -39,6 +42,7 @@ class LoadWatch {
     partition::ContactZone zone_;
     double elements_ = 0, contact_ = 0;  // s, at the last look
     int above_ = 0;
+    double worst_ = 0;
 };
 
 }  // namespace weavefront::solver

@@ -10,6 +10,7 @@ DOUBTFUL = {
     "projectile.position=[0 m, 0 m, -1 m]": "needs 3745 us to the first ply, the run ends at 200 us",
     "projectile.velocity.2=26700 m/s": "more than the 0.1417 mm that a ply is thick",
 }
+NARROW_FRAME = ["--set", "target.edges.y=frame", "--set", "target.frame={opening: {y: 4 mm}}"]
 TOO_FINE = ["--set", "target.mesh={center: 0.005 mm, edge: 0.005 mm}"]
 
 
@@ -26,6 +27,7 @@ def main():
         warnings = [line for line in check(program, scene, "--set", override).splitlines() if line.startswith("warning: ")]
         print(warnings)
         assert any(phrase in line for line in warnings), override
+    assert "the frame's opening is 4 mm along y, less than the 5.38 mm of the projectile" in check(program, scene, *NARROW_FRAME)
     assert "time step  not computed: the target does not fit into the" in check(program, scene, *TOO_FINE)
     done = subprocess.run([program, "run", scene, *TOO_FINE], capture_output=True, text=True, timeout=60)
     print(done.stderr)

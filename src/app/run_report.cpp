@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "doubts.hpp"
@@ -16,8 +17,8 @@ namespace weavefront::app {
 
 namespace {
 
-// The share of the internal energy from which hourglass energy is commonly questioned.
-constexpr double most_hourglass = 0.1;
+// The share of the internal energy from which hourglass energy is commonly questioned, where it is not nothing beside what was handed over.
+constexpr double most_hourglass = 0.1, negligible = 1e-3;
 
 std::array<double, 3> array_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -163,7 +164,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
         "  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; fabric {:.3g} J, hourglass {:.3g} J, contact "
         "{:.3g} J",
         simulation.counts().largest_closure * 100, last.turnover, last.internal, last.hourglass, last.contact));
-    if (last.hourglass > most_hourglass * last.internal)
+    if (last.hourglass > std::max(most_hourglass * last.internal, negligible * last.turnover))
         log_.warn(
             fmt::format("the hourglass energy is {:.3g} % of the fabric's own: it deforms as finely as its elements, where a finer "
                         "mesh might show more",

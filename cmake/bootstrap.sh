@@ -96,7 +96,7 @@ demo() {
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
-cores=$(nproc)
+cores=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc) # nproc takes these for the cores there are
 
 case "${1:-setup}" in
     setup) setup ;;

@@ -153,7 +153,8 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
     const FacetRun only_first{first, 1};
     near_.add(complete ? candidates : FacetRuns({&only_first, 1}), lines, now.surface, touching_, now.x);
     pair_of_.assign(near_.size(), -1);
-    Slave slave{.facet = f, .velocities = corners_of(facet.nodes, now.v), .points = memory_.recall(f)};
+    auto& reserve = reserves_[static_cast<std::size_t>(f)];
+    Slave slave{.facet = f, .velocities = corners_of(facet.nodes, now.v), .points = memory_.recall(f), .reserve = reserve};
     for (std::size_t b = 0; b < rule.size(); ++b) {
         auto& points = slave.points[b];
         auto open = all_of(rule[b]);
@@ -169,6 +170,7 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
         for (std::size_t i = 0; i < batch_width; ++i)
             if (open[i]) points.present[i] = points.largest[i] = 0;
     }
+    reserve += slave.gained;
     if (slave.touching)
         memory_.keep(f, slave.points);
     else
@@ -196,8 +198,7 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& r
     const auto closing =
         closing_rates(interpolate(slave.velocities, batch.N), interpolate(corners_of(other.nodes, now.v), N), rays.direction);
     const auto pressure =
-        law(facet.ply, other.ply)
-            .advance(points, met, overlap, closing, now.dt, batch.share, reserves_[static_cast<std::size_t>(slave.facet)]);
+        law(facet.ply, other.ply).advance(points, met, overlap, closing, now.dt, batch.share, slave.reserve, slave.gained);
     const double area = now.surface.areas[static_cast<std::size_t>(slave.facet)];
     for (std::size_t i = 0; i < batch_width; ++i) {
         slave.touching = slave.touching || (met[i] && points.present[i] > 0);

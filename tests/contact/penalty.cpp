@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -19,8 +20,7 @@ PenaltyLaw plain() { return {{.stiffness = k, .unloading = u, .damping = 0}, 0.2
 
 /// A facet of one point that has no energy to spend on healing.
 double advance(const PenaltyLaw& law, Penetration& point, double geometric, double closing, double dt) {
-    double reserve = 0;
-    return law.advance(point, geometric, closing, dt, 1, reserve);
+    return law.advance(point, geometric, closing, dt, 1, 0).pressure;
 }
 
 /// Moves a point from its penetration to `to` in `steps` equal steps of 1 s; returns the last pressure and adds to the work done on it.
@@ -117,7 +117,9 @@ struct Overlap {
     double run(const PenaltyLaw& law, double time, double dt) {
         double fastest = 0;
         for (double t = 0; t < time; t += dt) {
-            closing -= law.advance(point, g, closing, dt, 1, reserve) / mass * dt;
+            const auto [pressure, gained] = law.advance(point, g, closing, dt, 1, reserve);
+            reserve += gained;
+            closing -= pressure / mass * dt;
             g += closing * dt;
             fastest = std::max(fastest, std::abs(closing));
         }
@@ -161,10 +163,11 @@ TEST(PenaltyLaw, TakesMoreThanItGivesWhateverTheGeometryDoes) {
                 if (n % 50 == 0) closing = 0.01 * G * one(random) / dt;
                 if (n % 500 == 0) g += G * one(random);  // an element disappears, a facet changes
                 g += closing * dt;
-                const double before = pressure, reserved = reserve;
-                pressure = law.advance(point, g, closing, dt, 1, reserve);
-                work += (before + pressure) / 2 * closing * dt;
-                healed += std::max(reserved - reserve, 0.0);
+                const auto [next, gained] = law.advance(point, g, closing, dt, 1, reserve);
+                work += (pressure + next) / 2 * closing * dt;
+                pressure = next;
+                reserve += gained;
+                healed += std::max(-gained, 0.0);
                 const double step = u * k * 0.01 * G * 0.01 * G;  // what a step over the corner of a line may give
                 ASSERT_GE(reserve, -step);
                 ASSERT_GE(work, -step) << path << ' ' << n;
@@ -205,13 +208,13 @@ TEST(PenaltyLaw, DampsAFractionOfCritical) {
     EXPECT_NEAR(pressure, k * speed * dt + 2 * fraction * std::sqrt(k * density) * speed, 1e-12 * pressure);
 }
 
-TEST(PenaltyLaw, PointsOfABatchAdvanceOneAfterTheOther) {
+TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
     const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = 0.2}, 0.1);
     std::mt19937_64 random(21);
     const auto random_number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
     contact::PenetrationLanes points;
     std::array<Penetration, contact::batch_width> one_by_one{};
-    double reserve = 0, expected_reserve = 0;
+    double reserve = 0;
     int healed = 0;
     for (int step = 0; step < 300; ++step) {
         contact::Lanes geometric, closing, share;
@@ -220,21 +223,55 @@ TEST(PenaltyLaw, PointsOfABatchAdvanceOneAfterTheOther) {
             geometric[i] = random_number(-G / 4, G), closing[i] = random_number(-50, 50), share[i] = 0.125;
             met[i] = random_number(0, 1) < 0.8;
         }
-        const auto pressure = law.advance(points, met, geometric, closing, 1e-7, share, reserve);
+        double gained = 0, expected = 0;
+        const auto pressure = law.advance(points, met, geometric, closing, 1e-7, share, reserve, gained);
         for (std::size_t i = 0; i < contact::batch_width; ++i) {
-            if (!met[i]) {
+            if (met[i]) {
+                const double before = one_by_one[i].present + closing[i] * 1e-7;
+                const auto pressed = law.advance(one_by_one[i], geometric[i], closing[i], 1e-7, share[i], reserve);
+                ASSERT_EQ(pressure[i], pressed.pressure);
+                expected += pressed.gained;
+                healed += one_by_one[i].present > std::max(before, 0.0);
+            } else {
                 ASSERT_EQ(pressure[i], 0);
-                continue;
             }
-            const double before = one_by_one[i].present + closing[i] * 1e-7;
-            ASSERT_EQ(pressure[i], law.advance(one_by_one[i], geometric[i], closing[i], 1e-7, share[i], expected_reserve));
-            healed += one_by_one[i].present > std::max(before, 0.0);
             ASSERT_EQ(points.present[i], one_by_one[i].present);
             ASSERT_EQ(points.largest[i], one_by_one[i].largest);
         }
-        ASSERT_EQ(reserve, expected_reserve);
+        ASSERT_EQ(gained, expected);
+        reserve += gained;
     }
     EXPECT_GT(healed, 0);
+}
+
+// What the points of a facet that is seen mirrored or turned do: the same, in another order.
+TEST(PenaltyLaw, PointsOfAFacetHealAlikeInAnyOrder) {
+    const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = 0}, 0.1);
+    const auto heal = [&](bool backwards) {
+        contact::PenetrationLanes points;
+        double reserve = 1e-3 * k * G * G;  // for a few points
+        for (int step = 0; step < 1000; ++step) {
+            contact::Lanes geometric, closing{}, share;
+            contact::LaneMask met;
+            met.fill(true);
+            for (std::size_t i = 0; i < contact::batch_width; ++i) {
+                const std::size_t place = backwards ? contact::batch_width - 1 - i : i;
+                geometric[place] = G * static_cast<double>(1 + i), share[place] = 0.125;
+            }
+            double gained = 0;
+            const auto pressure = law.advance(points, met, geometric, closing, 1e-7, share, reserve, gained);
+            EXPECT_GE(reserve += gained, -1e-12 * k * G * G);
+            static_cast<void>(pressure);
+        }
+        if (backwards) std::reverse(points.present.of, points.present.of + contact::batch_width);
+        return points;
+    };
+    const auto one = heal(false), other = heal(true);
+    for (std::size_t i = 0; i < contact::batch_width; ++i) {
+        EXPECT_GT(one.present[i], 0) << i;
+        EXPECT_LT(one.present[i], G * static_cast<double>(1 + i)) << i;
+        EXPECT_NEAR(other.present[i], one.present[i], 1e-12 * one.present[i]) << i;
+    }
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "weavefront/contact/lanes.hpp"
@@ -23,14 +22,21 @@ struct PenetrationLanes {
     Lanes present{}, largest{};
 };
 
+/// What a contact point does over a step.
+struct Pressed {
+    double pressure;  ///< Pa
+    double gained;    ///< by the reserve of the facet, J/m2: see PenaltyLaw
+};
+
 /// Pressure over penetration: loading along k g; unloading from the largest penetration, and reloading, along the slope u k; never tensile.
 /// Woven fabric under transverse compression returns little of the work done on it; u = 1 is the elastic contact of the paper's time.
 /// The stiffness is per area and belongs to the fabric: mesh and time step do not enter.
 ///
 /// The penetration follows the geometry but grows only by relative motion: where the geometry jumps (a facet changes, an overlap is found
 /// late, an element disappears) nothing is pushed out at once. What is left late is healed: the penetration creeps up to the geometry, and
-/// the energy that it can then give back is taken from what contact has dissipated in the same facet. So contact never gives energy.
-/// Elastic contact, u = 1, gives back all that it takes and has nothing to heal with.
+/// the energy that it can then give back is taken from the reserve of the facet: what contact has dissipated there before this step and not
+/// yet spent. So contact never gives energy. In each step a point may spend the part of the reserve that its area is of the facet's; what
+/// it gets does not depend on the order of the points. Elastic contact, u = 1, gives back all that it takes and has nothing to heal with.
 class PenaltyLaw {
   public:
     /// @param law     stiffness k (Pa/m), unloading ratio u >= 1, fraction of critical damping
@@ -42,50 +48,33 @@ class PenaltyLaw {
           healing_rate_(law.unloading > 1 ? std::sqrt(law.unloading * law.stiffness / density) / (2 * std::numbers::pi * healing_periods)
                                           : 0) {}
 
-    /// Advances a point and returns its pressure, Pa.
+    /// Advances a point.
     /// @param geometric penetration seen now, m; negative when apart
     /// @param closing   rate at which the two sides approached over the last step, m/s
     /// @param dt        the last step, s
     /// @param share     of the facet's area that the point stands for
-    /// @param reserve   what contact has dissipated in the facet and not yet spent on healing, J/m2
-    [[nodiscard]] double advance(Penetration& point, double geometric, double closing, double dt, double share, double& reserve) const {
-        const auto step = step_of(point, geometric, closing, dt, share);
-        reserve += step.dissipated;
-        const bool heals = !(step.cost > reserve);
-        if (heals) reserve -= step.cost;
-        const auto& end = heals ? step.healed : step.loaded;
-        reserve += end.damped;
-        point = end.point;
-        return end.pressure;
+    /// @param reserve   of the facet before any of its points was advanced in this step, J/m2
+    Pressed advance(Penetration& point, double geometric, double closing, double dt, double share, double reserve) const {
+        const auto step = step_of(point, geometric, closing, dt, share, reserve);
+        point = step.point;
+        return step.pressed;
     }
 
-    /// The same for the points of a batch in their order; those that have not met anything stay as they are and have no pressure.
+    /// The same for the points of a batch; those that have not met anything stay as they are and have no pressure.
+    /// @param gained by the reserve of the facet, J/m2: added to
     [[nodiscard]] Lanes advance(PenetrationLanes& points, const LaneMask& met, const Lanes& geometric, const Lanes& closing, double dt,
-                                const Lanes& share, double& reserve) const {
-        struct EndLanes {
-            Lanes present, largest, pressure, damped;
-            void set(std::size_t i, const End& end) {
-                present[i] = end.point.present, largest[i] = end.point.largest, pressure[i] = end.pressure, damped[i] = end.damped;
-            }
-        };
-        EndLanes loaded, healed;
-        Lanes dissipated, cost;
+                                const Lanes& share, double reserve, double& gained) const {
+        Lanes present, largest, pressure, gains;
         for (std::size_t i = 0; i < batch_width; ++i) {
-            const auto step = step_of({points.present[i], points.largest[i]}, geometric[i], closing[i], dt, share[i]);
-            loaded.set(i, step.loaded);
-            healed.set(i, step.healed);
-            dissipated[i] = step.dissipated, cost[i] = step.cost;
+            const auto step = step_of({points.present[i], points.largest[i]}, geometric[i], closing[i], dt, share[i], reserve);
+            present[i] = step.point.present, largest[i] = step.point.largest;
+            pressure[i] = step.pressed.pressure, gains[i] = step.pressed.gained;
         }
-        Lanes pressure;
         for (std::size_t i = 0; i < batch_width; ++i) {
-            pressure[i] = 0;
-            if (!met[i]) continue;
-            reserve += dissipated[i];
-            const bool heals = !(cost[i] > reserve);
-            if (heals) reserve -= cost[i];
-            const auto& end = heals ? healed : loaded;
-            reserve += end.damped[i];
-            points.present[i] = end.present[i], points.largest[i] = end.largest[i], pressure[i] = end.pressure[i];
+            if (met[i])
+                points.present[i] = present[i], points.largest[i] = largest[i], gained += gains[i];
+            else
+                pressure[i] = 0;
         }
         return pressure;
     }
@@ -95,43 +84,42 @@ class PenaltyLaw {
     // pressures far below those that made it, and within some 20 us for stiffnesses of fabric, a fraction of an impact.
     static constexpr double healing_periods = 100;
 
-    /// A point at the end of a step.
-    struct End {
-        Penetration point;
-        double pressure;  ///< Pa
-        double damped;    ///< by the facet's point, J/m2
-    };
-    /// A step of a point, with healing and without.
     struct Step {
-        double dissipated;  ///< by hysteresis, J/m2
-        double cost;        ///< of healing, J/m2; infinite where the penetration does not stay behind the geometry
-        End loaded, healed;
-    };
-
-    [[nodiscard]] Step step_of(const Penetration& before, double geometric, double closing, double dt, double share) const {
         Penetration point;
-        point.present = std::max(std::min(geometric, before.present + closing * dt), 0.0);
-        point.largest = std::max(before.largest, point.present);
+        Pressed pressed;
+    };
+    [[nodiscard]] Step step_of(const Penetration& before, double geometric, double closing, double dt, double share, double reserve) const {
+        const auto moved = follow(before, geometric, closing, dt);
         // The work of a step is that of the mean of the pressures at its ends.
-        const double work = (elastic_pressure(before) + elastic_pressure(point)) / 2 * closing * dt;
-        Penetration healed = point;
-        healed.present += std::min(healing_rate_ * dt, 1.0) * (geometric - point.present);
-        healed.largest = std::max(healed.largest, healed.present);
-        const double opened = std::max(-closing * dt, 0.0), added = elastic_pressure(healed) - elastic_pressure(point);
-        const double cost = share * (recoverable(healed) - recoverable(point) + added * opened / 2);
-        return {.dissipated = share * (work - (recoverable(point) - recoverable(before))),
-                .cost = geometric > point.present ? cost : std::numeric_limits<double>::infinity(),
-                .loaded = end_of(point, closing, dt, share),
-                .healed = end_of(healed, closing, dt, share)};
+        const double work = (elastic_pressure(before) + elastic_pressure(moved)) / 2 * closing * dt;
+        const double dissipated = work - (recoverable(moved) - recoverable(before));
+
+        // A metre of creep costs at most the highest pressure on the way and, as the pressure is higher from now on, half of what it adds
+        // to it over what the sides open.
+        const double behind = std::max(geometric - moved.present, 0.0), creep = std::min(healing_rate_ * dt, 1.0) * behind;
+        const double opened = std::max(-closing * dt, 0.0);
+        const double price = stiffness_ * std::max(moved.largest, moved.present + creep) + unloading_ * stiffness_ * opened / 2;
+        const double affordable = std::max(reserve, 0.0);
+        const auto end = crept(moved, creep * price > affordable ? affordable / price : creep);
+        const double added = elastic_pressure(end) - elastic_pressure(moved);
+        const double cost = recoverable(end) - recoverable(moved) + added * opened / 2;
+
+        const double elastic = elastic_pressure(end), pressure = std::max(elastic + damping_ * closing, 0.0);
+        const double damped = (pressure - elastic) * closing * dt;
+        const bool presses = elastic > 0;
+        return {{end.present, end.present > 0 ? end.largest : 0.0},
+                {presses ? pressure : 0.0, share * (dissipated + (presses ? damped : 0.0) - cost)}};
     }
 
-    [[nodiscard]] End end_of(const Penetration& point, double closing, double dt, double share) const {
-        const double present = point.present, largest = point.largest;
-        const double elastic = present > 0 ? elastic_pressure(point) : 0.0, pressure = std::max(elastic + damping_ * closing, 0.0);
-        const double damped = share * (pressure - elastic) * closing * dt;
-        return {.point = {present > 0 ? present : 0.0, present > 0 ? largest : 0.0},
-                .pressure = elastic > 0 ? pressure : 0.0,
-                .damped = elastic > 0 ? damped : 0.0};
+    /// The point after the motion of a step, without healing.
+    [[nodiscard]] static Penetration follow(const Penetration& before, double geometric, double closing, double dt) {
+        const double present = std::max(std::min(geometric, before.present + closing * dt), 0.0);
+        return {present, std::max(before.largest, present)};
+    }
+
+    [[nodiscard]] static Penetration crept(const Penetration& point, double creep) {
+        const double present = point.present + creep;
+        return {present, std::max(point.largest, present)};
     }
 
     [[nodiscard]] double elastic_pressure(const Penetration& point) const {

@@ -75,6 +75,8 @@ class PlyContact {
         std::int32_t facet;
         std::array<Vec3, 4> velocities;
         FacetPoints points;
+        double reserve;  ///< before the step, J/m2: see PenaltyLaw
+        double gained = 0;
         bool touching = false;
     };
     [[nodiscard]] std::span<Watch> watches(std::int32_t group) {

@@ -43,7 +43,7 @@ inline Vec3 push_direction(const Vec3& of_ply, const Vec3& of_body) {
 template <class Point>
 struct RigidMemory {
     std::vector<Point> points;  ///< none away from the body
-    double reserve = 0;         ///< see PenaltyLaw::advance, J/m2
+    double reserve = 0;         ///< see PenaltyLaw, J/m2
 };
 
 /// Forgets the points of a facet, which is away from the body.
@@ -79,6 +79,7 @@ PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const 
     const auto corners = corners_of(pair.facet.nodes, x), velocities = corners_of(pair.facet.nodes, v);
     PairForce sum(pair.facet.nodes, pair.body);
     std::optional<PlyNormals> of_ply;
+    const double reserve = memory.reserve;
     for (std::size_t b = 0; b < pair.rule.size(); ++b) {
         const auto& batch = pair.rule[b];
         const auto position = interpolate(corners, batch.N);
@@ -92,8 +93,9 @@ PairForce press(const RigidPair& pair, std::span<const Vec3> x, std::span<const 
             if (!of_ply) of_ply = normals();
             const Vec3 direction = *of_ply ? push_direction(at_point(**of_ply, batch.N, i), found->normal) : found->normal;
             const double closing = (pair.body_velocity - at_point(velocities, batch.N, i)).dot(direction);
-            const double pressure = pair.law.advance(point.penetration, found->depth, closing, dt, batch.share[i], memory.reserve);
-            sum.add(pressure * pair.area * batch.share[i] * direction, batch.N, i);
+            const auto pressed = pair.law.advance(point.penetration, found->depth, closing, dt, batch.share[i], reserve);
+            memory.reserve += pressed.gained;
+            sum.add(pressed.pressure * pair.area * batch.share[i] * direction, batch.N, i);
         }
     }
     return sum;

@@ -14,7 +14,7 @@ namespace {
 /// A facet as it travels.
 struct FacetMessage {
     std::int64_t id;
-    std::array<std::int64_t, 4> nodes;  ///< global
+    std::array<std::int32_t, 4> nodes;  ///< among those that travel with it; on arrival, local
     std::int32_t ply, on_rim;
 };
 
@@ -29,9 +29,12 @@ struct NodeMessage {
 template <class T>
 using ByRank = std::vector<std::vector<T>>;
 
+/// Bisection without branches, of which every other one would be mispredicted. @param ids ascending @return -1: none
 std::int32_t place_in(std::span<const std::int64_t> ids, std::int64_t id) {
-    const auto found = std::ranges::lower_bound(ids, id);
-    return found != ids.end() && *found == id ? static_cast<std::int32_t>(found - ids.begin()) : -1;
+    if (ids.empty()) return -1;
+    const auto* first = ids.data();
+    for (auto count = ids.size(); count > 1; count -= count / 2) first += first[count / 2 - 1] < id ? count / 2 : 0;
+    return *first == id ? static_cast<std::int32_t>(first - ids.data()) : -1;
 }
 
 /// Own nodes and ghosts by their global ids.
@@ -43,12 +46,14 @@ class Places {
     void set_ghosts(std::vector<std::int64_t> ids) { ghosts_ = std::move(ids); }
 
     [[nodiscard]] std::int32_t own(std::int64_t id) const { return place_in(own_, id); }
+    [[nodiscard]] std::int32_t ghost(std::int64_t id) const { return count_ + place_in(ghosts_, id); }
     [[nodiscard]] std::int32_t of(std::int64_t id) const {
         const auto place = own(id);
-        return place >= 0 ? place : count_ + place_in(ghosts_, id);
+        return place >= 0 ? place : ghost(id);
     }
+    [[nodiscard]] bool is_own(std::int32_t place) const { return place < count_; }
     [[nodiscard]] std::int64_t id(std::int32_t place) const {
-        return place < count_ ? own_[static_cast<std::size_t>(place)] : ghosts_[static_cast<std::size_t>(place - count_)];
+        return is_own(place) ? own_[static_cast<std::size_t>(place)] : ghosts_[static_cast<std::size_t>(place - count_)];
     }
 
   private:
@@ -74,7 +79,16 @@ struct Outgoing {
     ByRank<NodeMessage> nodes;
 };
 
-/// Footprints of other ranks' alive facets that may be near this one's. @param of this one's
+/// Footprints of the alive facets of all plies over each of a rank's columns.
+std::vector<Footprint> footprints_of_columns(const contact::Whereabouts& expected, const contact::Surface& surface) {
+    const auto owned = static_cast<std::size_t>(surface.owned);
+    std::vector<Footprint> footprints(owned / surface.plies.size());
+    for (std::size_t f = 0; f < owned; ++f)
+        if (surface.alive[f]) footprints[f % footprints.size()].include(expected.of(surface.facets[f]));
+    return footprints;
+}
+
+/// Footprints of other ranks' columns that may be near this one's. @param of this one's
 ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double reach, const std::vector<Footprint>& of) {
     Footprint mine;
     for (const auto& footprint : of) mine.include(footprint);
@@ -91,49 +105,55 @@ ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double r
 Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
                 const contact::Surface& surface, const Nodes& nodes) {
     const auto ranks = static_cast<std::size_t>(comm.size());
-    std::vector<std::size_t> alive;
-    std::vector<Footprint> footprints;
-    for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f) {
-        if (!surface.alive[f]) continue;
-        alive.push_back(f);
-        footprints.push_back(expected.of(surface.facets[f]));
-    }
-    auto around = footprints_around(comm, reach, footprints);
+    const auto columns = footprints_of_columns(expected, surface);
+    auto around = footprints_around(comm, reach, columns);
     const auto owner = owners(plan, comm.rank());
     Outgoing out{ByRank<FacetMessage>(ranks), ByRank<NodeMessage>(ranks)};
-    std::vector<std::size_t> told(owner.size(), ranks);
+    std::vector<std::int32_t> told(owner.size());  // at which place in the message to the rank at hand, or -1
     for (std::size_t r = 0; r < ranks; ++r) {
         if (around[r].empty()) continue;
+        std::ranges::fill(told, -1);
         const FootprintBins bins(std::move(around[r]), reach);
-        for (std::size_t k = 0; k < alive.size(); ++k) {
-            if (!bins.near(footprints[k])) continue;
-            const auto& facet = surface.facets[alive[k]];
-            const bool on_rim = !surface.on_rim.empty() && surface.on_rim[alive[k]];
-            auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, on_rim});
-            for (std::size_t a = 0; a < 4; ++a) {
-                const auto n = static_cast<std::size_t>(facet.nodes[a]);
-                message.nodes[a] = nodes.ids[n];
-                if (told[n] == r) continue;
-                told[n] = r;
+        const auto send_node = [&](std::int32_t node) {
+            const auto n = static_cast<std::size_t>(node);
+            if (told[n] < 0) {
                 const Vec3 &x = nodes.x[n], &v = nodes.v[n];
+                told[n] = static_cast<std::int32_t>(out.nodes[r].size());
                 out.nodes[r].push_back({nodes.ids[n], {x[0], x[1], x[2]}, {v[0], v[1], v[2]}, nodes.mass[n], owner[n], nodes.supports[n]});
+            }
+            return told[n];
+        };
+        for (std::size_t column = 0; column < columns.size(); ++column) {
+            if (!bins.near(columns[column])) continue;
+            for (auto f = column; f < static_cast<std::size_t>(surface.owned); f += columns.size()) {
+                const auto& facet = surface.facets[f];
+                if (!surface.alive[f] || !bins.near(expected.of(facet))) continue;
+                const bool on_rim = !surface.on_rim.empty() && surface.on_rim[f];
+                auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, on_rim});
+                std::ranges::transform(facet.nodes, message.nodes.begin(), send_node);
             }
         }
     }
     return out;
 }
 
-/// Takes the ghost nodes in, in ascending global order. @return their ids, by the rank that owns them
-ByRank<std::int64_t> take_in(const ByRank<NodeMessage>& incoming, Places& places, Nodes& nodes) {
+/// What arrives of nodes.
+struct Arrived {
+    ByRank<std::int32_t> places;  ///< of the nodes from each rank
+    ByRank<std::int64_t> wanted;  ///< ids of the ghosts, by the rank that owns them
+};
+
+/// Takes the ghost nodes in, in ascending global order.
+Arrived take_in(const ByRank<NodeMessage>& incoming, Places& places, Nodes& nodes) {
+    Arrived arrived{ByRank<std::int32_t>(incoming.size()), ByRank<std::int64_t>(incoming.size())};
     std::vector<NodeMessage> ghosts;
-    for (const auto& messages : incoming)
-        for (const auto& message : messages)
-            if (places.own(message.id) < 0) ghosts.push_back(message);
+    for (std::size_t r = 0; r < incoming.size(); ++r)
+        for (const auto& message : incoming[r])
+            if (arrived.places[r].emplace_back(places.own(message.id)) < 0) ghosts.push_back(message);
     std::ranges::sort(ghosts, {}, &NodeMessage::id);
     const auto again = std::ranges::unique(ghosts, {}, &NodeMessage::id);
     ghosts.erase(again.begin(), again.end());
 
-    ByRank<std::int64_t> wanted(incoming.size());
     std::vector<std::int64_t> ids;
     nodes.resize_ghosts(ghosts.size());
     auto n = static_cast<std::size_t>(nodes.count);
@@ -143,25 +163,33 @@ ByRank<std::int64_t> take_in(const ByRank<NodeMessage>& incoming, Places& places
         nodes.mass[n] = ghost.mass;
         nodes.supports[n++] = static_cast<std::uint8_t>(ghost.supports);
         ids.push_back(ghost.id);
-        wanted[static_cast<std::size_t>(ghost.owner)].push_back(ghost.id);
+        arrived.wanted[static_cast<std::size_t>(ghost.owner)].push_back(ghost.id);
     }
     places.set_ghosts(std::move(ids));
-    return wanted;
+    for (std::size_t r = 0; r < incoming.size(); ++r)
+        for (std::size_t k = 0; k < incoming[r].size(); ++k)
+            if (auto& place = arrived.places[r][k]; place < 0) place = places.ghost(incoming[r][k].id);
+    return arrived;
 }
 
-void take_in_facets(const ByRank<FacetMessage>& incoming, const Places& places, contact::Surface& surface) {
+/// Takes the ghost facets in, in ascending global order. @param places of the nodes that came with them
+void take_in_facets(ByRank<FacetMessage> incoming, const ByRank<std::int32_t>& places, contact::Surface& surface) {
+    std::vector<FacetMessage> ghosts;
+    for (std::size_t r = 0; r < incoming.size(); ++r)
+        for (auto& message : incoming[r]) {
+            for (auto& node : message.nodes) node = places[r][static_cast<std::size_t>(node)];
+            ghosts.push_back(message);
+        }
+    std::ranges::sort(ghosts, {}, &FacetMessage::id);
     surface.facets.resize(static_cast<std::size_t>(surface.owned));
     surface.alive.resize(static_cast<std::size_t>(surface.owned));
     const bool has_rims = !surface.on_rim.empty();
     if (has_rims) surface.on_rim.resize(static_cast<std::size_t>(surface.owned));
-    for (const auto& messages : incoming)
-        for (const auto& message : messages) {
-            contact::Facet facet{message.id, {}, message.ply};
-            for (std::size_t a = 0; a < 4; ++a) facet.nodes[a] = places.of(message.nodes[a]);
-            surface.facets.push_back(facet);
-            surface.alive.push_back(1);
-            if (has_rims) surface.on_rim.push_back(static_cast<std::uint8_t>(message.on_rim));
-        }
+    for (const auto& ghost : ghosts) {
+        surface.facets.push_back({ghost.id, ghost.nodes, ghost.ply});
+        surface.alive.push_back(1);
+        if (has_rims) surface.on_rim.push_back(static_cast<std::uint8_t>(ghost.on_rim));
+    }
 }
 
 /// Ranks that hold own nodes besides this one: of node n those at first[n] to first[n + 1].
@@ -213,22 +241,27 @@ ByRank<Acquaintance> introduce(const ByRank<std::int64_t>& wanted, const partiti
 
 /// @param introduced by the owners, nodes that are ghosts somewhere; all others are shared as the plan says
 std::vector<parallel::Link> links_of(const ByRank<Acquaintance>& introduced, const partition::HaloPlan& plan, const Places& places) {
-    ByRank<std::int64_t> shared(introduced.size());
+    struct Shared {
+        std::int64_t id;
+        std::int32_t place;
+    };
+    ByRank<Shared> shared(introduced.size());
     std::vector<bool> told(plan.owned.size(), false);
     for (const auto& messages : introduced)
         for (const auto& [node, rank] : messages) {
-            shared[static_cast<std::size_t>(rank)].push_back(node);
-            if (const auto own = places.own(node); own >= 0) told[static_cast<std::size_t>(own)] = true;
+            const auto place = places.of(node);
+            shared[static_cast<std::size_t>(rank)].push_back({node, place});
+            if (places.is_own(place)) told[static_cast<std::size_t>(place)] = true;
         }
     for (const auto& neighbour : plan.neighbours)
         for (const auto node : neighbour.nodes)
-            if (!told[static_cast<std::size_t>(node)]) shared[static_cast<std::size_t>(neighbour.rank)].push_back(places.id(node));
+            if (!told[static_cast<std::size_t>(node)]) shared[static_cast<std::size_t>(neighbour.rank)].push_back({places.id(node), node});
     std::vector<parallel::Link> links;
     for (std::size_t r = 0; r < shared.size(); ++r) {
         if (shared[r].empty()) continue;
-        std::ranges::sort(shared[r]);
+        std::ranges::sort(shared[r], {}, &Shared::id);
         auto& link = links.emplace_back(parallel::Link{static_cast<int>(r), {}});
-        for (const auto id : shared[r]) link.nodes.push_back(places.of(id));
+        for (const auto& node : shared[r]) link.nodes.push_back(node.place);
     }
     return links;
 }
@@ -246,9 +279,9 @@ ForceExchange rebuild_ghosts(const parallel::Communicator& comm, const partition
     if (comm.size() == 1) return {};
     Places places(nodes);
     const auto out = select(comm, plan, expected, reach, surface, nodes);
-    const auto wanted = take_in(parallel::all_to_all(comm, out.nodes), places, nodes);
-    take_in_facets(parallel::all_to_all(comm, out.facets), places, surface);
-    const auto introduced = introduce(parallel::all_to_all(comm, wanted), plan, places, comm.rank());
+    const auto arrived = take_in(parallel::all_to_all(comm, out.nodes), places, nodes);
+    take_in_facets(parallel::all_to_all(comm, out.facets), arrived.places, surface);
+    const auto introduced = introduce(parallel::all_to_all(comm, arrived.wanted), plan, places, comm.rank());
     return ForceExchange(links_of(parallel::all_to_all(comm, introduced), plan, places));
 }
 

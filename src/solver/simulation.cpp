@@ -53,10 +53,12 @@ double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel) {
 Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& comm)
     : scene_(scene),
       comm_(comm),
+      mailboxes_(comm),
       panel_(mesh::make_panel(scene)),
       model_(build_model(scene, panel_, initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
       multiplicity_(panel_.multiplicity()),
       step_bound_(scene, panel_) {
+    model_.exchange.use(comm_, mailboxes_);
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     counts_.first_break.assign(panel_.plies.size(), std::numeric_limits<double>::max());
     if (model_.projectile) {
@@ -94,6 +96,7 @@ void Simulation::redistribute(const partition::Decomposition& decomposition) {
     {
         const Timed timed(seconds_, Phase::halo);
         model_ = solver::redistribute(scene_, panel_, decomposition, model_, comm_);
+        model_.exchange.use(comm_, mailboxes_);
         for (const auto& group : model_.groups) group->set_time_step(dt_);
         step_bound_.watch(model_);
         pairs_.clear();
@@ -267,6 +270,7 @@ void Simulation::update_candidates() {
     if (reach > 0) {
         if (comm_.size() > 1) {
             model_.exchange = rebuild_ghosts(comm_, model_.halo, expected_nodes_, reach, model_.surface, nodes);
+            model_.exchange.use(comm_, mailboxes_);
             expected_nodes_ = contact::Whereabouts(nodes.x, nodes.v, ahead);
             list_supports();
         }

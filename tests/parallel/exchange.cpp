@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
+#include <thread>
 
 namespace weavefront::test {
 namespace {
@@ -64,6 +66,55 @@ TEST(Exchange, LeavesValuesFreeBetweenItsHalves) {
     values[0] = {1000, 0, 0};
     exchange.finish(values);
     EXPECT_EQ(values[0], (Triple{1000 + comm.size() - 1, comm.size() * (comm.size() - 1) / 2 - comm.rank(), 0}));
+}
+
+/// All with all, rank r with rank s over (r + s) `size` + 1 nodes, which only these two hold.
+std::vector<Link> all_with_all(const Communicator& comm, std::int32_t size) {
+    std::vector<Link> links;
+    std::int32_t node = 0;
+    for (int r = 0; r < comm.size(); ++r) {
+        if (r == comm.rank()) continue;
+        auto& link = links.emplace_back(Link{r, {}});
+        for (std::int32_t n = 0; n <= size * (r + comm.rank()); ++n) link.nodes.push_back(node++);
+    }
+    return links;
+}
+
+// Small and large, so that room is made anew and used again; many turns, with ranks that come late.
+TEST(Exchange, SumsByMailWhatItSumsByMessages) {
+    const Communicator comm(MPI_COMM_WORLD);
+    parallel::Mailboxes mailboxes(comm);
+    for (const std::int32_t size : {1, 1000, 3, 2000}) {
+        const auto links = all_with_all(comm, size);
+        Exchange<Triple> by_messages(links), by_mail(links);
+        by_mail.use(comm, mailboxes);
+        const std::size_t nodes = links.empty() ? 1 : static_cast<std::size_t>(links.back().nodes.back()) + 1;
+        const auto values = [&](int turn) {
+            std::vector<Triple> all;
+            for (std::size_t n = 0; n < nodes; ++n) all.push_back({static_cast<std::int64_t>(n) + 1000 * turn, comm.rank(), turn * turn});
+            return all;
+        };
+        constexpr int turns = 20;
+        std::vector<std::vector<Triple>> sums;
+        for (int turn = 0; turn < turns; ++turn) {
+            auto& sum = sums.emplace_back(values(turn));
+            by_mail.start(comm, sum);
+            // This rank's messages are there and so may be those of the next turn before it has read any.
+            if (turn % comm.size() == comm.rank()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            by_mail.finish(sum);
+        }
+        for (int turn = 0; turn < turns; ++turn) {
+            auto expected = values(turn);
+            by_messages.sum(comm, expected);
+            EXPECT_TRUE(sums[static_cast<std::size_t>(turn)] == expected) << size << ' ' << turn;
+        }
+    }
+}
+
+TEST(Mailboxes, ReachTheOtherRanksOfTheHost) {
+    const Communicator comm(MPI_COMM_WORLD);
+    const parallel::Mailboxes mailboxes(comm);
+    for (int r = 0; r < comm.size(); ++r) EXPECT_EQ(mailboxes.reach(r), r != comm.rank());
 }
 
 }  // namespace

@@ -95,6 +95,7 @@ class Simulation {
 
     scene::Scene scene_;
     const parallel::Communicator& comm_;
+    parallel::Mailboxes mailboxes_;
     PhaseSeconds seconds_{};
     mesh::Panel panel_;
     Model model_;

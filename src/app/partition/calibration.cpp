@@ -123,7 +123,9 @@ double exchange_time(const parallel::Communicator& comm, std::int32_t nodes) {
         links.push_back({other, {}});
         for (std::int32_t n = 0; n < nodes; ++n) links[0].nodes.push_back(n);
     }
+    parallel::Mailboxes mailboxes(comm);
     parallel::Exchange<solver::FixedVector> exchange(std::move(links));
+    exchange.use(comm, mailboxes);
     std::vector<solver::FixedVector> values(static_cast<std::size_t>(nodes));
     return least_time(comm, [&] { exchange.sum(comm, values); });
 }

@@ -1,0 +1,56 @@
+#pragma once
+/// @file
+/// Messages through memory that the ranks of one host share.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "weavefront/parallel/communicator.hpp"
+
+namespace weavefront::parallel {
+
+/// Each rank writes its messages into memory of its own that the other ranks of its host read. So a message is copied once less than by MPI
+/// on either side, and it is there whether or not its receiver is in a call of MPI. All ranks post in turn: once each, then again.
+class Mailboxes {
+  public:
+    /// @note Collective
+    explicit Mailboxes(const Communicator& comm);
+    ~Mailboxes();
+    Mailboxes(const Mailboxes&) = delete;
+    Mailboxes& operator=(const Mailboxes&) = delete;
+
+    /// Whether a rank is another one of this host.
+    [[nodiscard]] bool reach(int rank) const { return on_host_[static_cast<std::size_t>(rank)] >= 0 && rank != rank_; }
+
+    /// Makes room for messages of other lengths. What was posted last has been read by all. @param bytes to each rank; 0: none
+    /// @note Collective
+    void open(std::span<const std::size_t> bytes);
+
+    /// Where the next message to a rank is written. @pre open for one
+    [[nodiscard]] std::byte* outgoing(int rank) const;
+    /// Shows the messages to the others.
+    void post();
+    /// The message of a rank that it posted with this one's last; waits for it. There until the next `post`.
+    [[nodiscard]] const std::byte* incoming(int rank) const;
+
+  private:
+    /// What a rank tells the others of its messages.
+    struct Header;
+    [[nodiscard]] Header& header(int on_host) const;
+    [[nodiscard]] std::byte* message(int from, int to, std::uint64_t turn) const;
+    [[nodiscard]] std::size_t before_messages() const;
+    void allocate(std::size_t bytes);
+    void release();
+
+    MPI_Comm host_ = MPI_COMM_NULL;
+    MPI_Win window_ = MPI_WIN_NULL;
+    int rank_, ranks_on_host_ = 1, rank_on_host_ = 0;
+    std::vector<int> on_host_;          ///< of each rank, its rank among those of this host, or -1
+    std::vector<std::byte*> memories_;  ///< of the ranks of this host
+    std::size_t room_ = 0;              ///< of each, bytes
+    std::uint64_t turn_ = 0;            ///< of the last post
+};
+
+}  // namespace weavefront::parallel

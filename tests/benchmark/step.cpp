@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "allocations.hpp"
 #include "textbook_step.hpp"
@@ -20,14 +21,11 @@
 #include "weavefront/solver/simulation.hpp"
 
 // Not mangled and never inlined: Callgrind collects between its entry and its exit (--toggle-collect=measured_steps).
-extern "C" [[gnu::noinline]] void measured_steps(const std::function<void()>& step, int count, int window, std::vector<double>& seconds) {
-    auto start = std::chrono::steady_clock::now();
-    for (int n = 1; n <= count; ++n) {
+extern "C" [[gnu::noinline]] void measured_steps(const std::function<void()>& step, std::span<double> seconds) {
+    for (auto& of_step : seconds) {
+        const auto start = std::chrono::steady_clock::now();
         step();
-        if (n % window != 0 && n != count) continue;
-        const auto now = std::chrono::steady_clock::now();
-        seconds.push_back(std::chrono::duration<double>(now - start).count());
-        start = now;
+        of_step = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 }
 
@@ -37,14 +35,14 @@ namespace {
 struct Options {
     std::filesystem::path scene;
     std::vector<std::string> overrides;
-    int warm_up = 20, steps = 200, window = 200;
+    int warm_up = 20, steps = 200;
     double speed = 100;
     bool textbook = false, check = false;
 };
 
 /// What the measured steps took and left.
 struct Cost {
-    std::vector<double> windows;  ///< s
+    std::vector<double> seconds;  ///< of each step
     std::int64_t allocations = 0, elements = 0;
     std::size_t bytes = 0;  ///< of the heap, at the end
     std::vector<Vec3> positions;
@@ -68,9 +66,9 @@ Cost cost_of(Stepper& stepper, const std::function<void()>& step, const Options&
     set_in_motion(stepper.model(), options.speed);
     for (int n = 0; n < options.warm_up; ++n) step();
     Cost cost;
-    cost.windows.reserve(static_cast<std::size_t>(options.steps / options.window + 1));
+    cost.seconds.resize(static_cast<std::size_t>(options.steps));
     const auto allocated = allocations();
-    measured_steps(step, options.steps, options.window, cost.windows);
+    measured_steps(step, cost.seconds);
     cost.allocations = allocations() - allocated;
     cost.bytes = bytes_held() - held_before;
     const auto& model = stepper.model();
@@ -99,10 +97,10 @@ bool same_bits(const std::vector<Vec3>& one, const std::vector<Vec3>& other) {
 }
 
 nlohmann::json report(const Cost& cost, const Options& options) {
-    const double seconds = std::accumulate(cost.windows.begin(), cost.windows.end(), 0.0);
+    const double seconds = std::accumulate(cost.seconds.begin(), cost.seconds.end(), 0.0);
     return {{"elements", cost.elements},
             {"steps", options.steps},
-            {"windows", cost.windows},
+            {"seconds", cost.seconds},
             {"nanoseconds", seconds * 1e9 / static_cast<double>(cost.elements * options.steps)},
             {"bytes", static_cast<double>(cost.bytes) / static_cast<double>(cost.elements)},
             {"allocations", cost.allocations}};
@@ -123,7 +121,7 @@ int run(const Options& options) {
     const auto scene = scene::parse_scene(scene::read_text(options.scene), options.scene.string(), options.overrides);
     if (options.check) return check(scene, comm, options);
     auto cost = measure(scene, comm, options, options.textbook);
-    comm.max(cost.windows);
+    comm.max(cost.seconds);
     if (comm.rank() == 0) fmt::print("{}\n", report(cost, options).dump());
     return 0;
 }
@@ -138,7 +136,6 @@ int main(int argc, char** argv) {
     app.add_option("--set", options.overrides, "PATH=VALUE; may be given several times")->allow_extra_args(false);
     app.add_option("--warm-up", options.warm_up, "Steps before the measured ones");
     app.add_option("--steps", options.steps, "Steps to measure");
-    app.add_option("--window", options.window, "Steps that are timed together")->check(CLI::PositiveNumber);
     app.add_option("--speed", options.speed, "Of the middle of the first ply at the start, m/s");
     app.add_flag("--textbook", options.textbook, "The step without the solver's optional features");
     app.add_flag("--check", options.check, "Compare both: same bits, nothing allocated");

@@ -23,7 +23,6 @@ NO_PLY_CONTACT = ["contact={projectile: {stiffness: 5.6e12 N/m^3, unloading: 10}
 FINER = ["target.mesh={center: 0.5 mm, edge: 1 mm, growth: 1.08}"]
 SCALING = EXAMPLES / "scaling/scene.yaml"
 CUT = ["time.end=20 us", "output.interval=0", "output.history=20 us"]
-CUT_SHORT = ["time.end=2 us", "output.interval=0", "output.history=2 us"]
 STEP_PHASES = ("elements", "contact", "search", "halo", "integrate", "ledger")
 STEPS = 20  # of benchmark_step, after 20 to warm up
 CONNECTIVITY = 4 * 4  # bytes: four nodes of an element, 32 bits each
@@ -47,11 +46,6 @@ def step_seconds(summary):
     return sum(summary["wall_seconds"][phase]["max"] for phase in STEP_PHASES)
 
 
-def throughput(summary):
-    """Element-steps a second, set-up and output apart."""
-    return summary["element_steps"] / sum(summary["wall_seconds"][phase]["mean"] for phase in STEP_PHASES)
-
-
 def one_rank(command, overrides, repeats):
     """Nanoseconds an element-step by phase, of the fastest of the runs."""
     runs = [summary_of([[*command, *settings(overrides)]])[0] for _ in range(repeats)]
@@ -64,22 +58,43 @@ def run_words(build, overrides, scene=SCENE):
     return [build / "src/app/weavefront", "run", scene, *settings(overrides)]
 
 
+def begin(words):
+    return subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def printed(started):
+    """What a `benchmark_step` prints at its end."""
+    output, error = started.communicate()
+    if started.returncode:
+        sys.exit(f"{' '.join(started.args)}\n{error}")
+    return json.loads(output)
+
+
+def least_seconds(runs):
+    """Of all steps, each as fast as it was in any of the runs."""
+    return sum(map(min, zip(*(run["seconds"] for run in runs))))
+
+
 def two_ranks(command, repeats):
-    """Throughput of two ranks over that of two runs of one rank side by side, run by run in turn."""
+    """Throughput of two ranks over that of two runs of one rank side by side, by turns. All take the same steps each time, and what else goes
+    on in the machine only ever makes a step longer: so a step counts with the least time that it took. `pairs` are the ratios of single pairs
+    as they came: two ranks wait for whichever core is disturbed, two runs do not."""
     processors = sorted(os.sched_getaffinity(0))[:2]
     if len(processors) < 2:
         sys.exit("two ranks are compared on two cores; this process may use one only")
-    together = ["mpirun", "--bind-to", "none", "-n", 1, "taskset", "-c", processors[0], *command]
-    ratios = []
-    with tempfile.TemporaryDirectory() as folder:
-        for n in range(repeats):
-            place = Path(folder) / str(n)
-            other = ["-n", 1, "taskset", "-c", processors[1], *command, "--output", place]
-            run([*together, "--output", place, ":", *other])
-            both = throughput(json.loads((place / "summary.json").read_text()))
-            apart = summary_of([["taskset", "-c", core, *command] for core in processors])
-            ratios.append(both / sum(map(throughput, apart)))
-    return {"elements": apart[0]["elements"], "ratio": statistics.median(ratios), "ratios": ratios}
+    pinned = [["taskset", "-c", str(core), *map(str, command)] for core in processors]
+    together = ["mpirun", "--bind-to", "none", "-n", "1", *pinned[0], ":", "-n", "1", *pinned[1]]
+    both, apart = [], []
+    for _ in range(repeats):
+        both.append(printed(begin(together)))
+        apart.append([printed(started) for started in [begin(words) for words in pinned]])
+
+    def ratio(together, *alone):
+        return 1 / least_seconds(together) / sum(1 / least_seconds(runs) for runs in alone)
+
+    return {"elements": apart[0][0]["elements"], "steps": apart[0][0]["steps"], "ratio": ratio(both, *zip(*apart)),
+            "pairs": [ratio([one], *([run] for run in others)) for one, others in zip(both, apart)],
+            "least_seconds": {"two ranks": least_seconds(both), "one rank": list(map(least_seconds, zip(*apart)))}}
 
 
 def output_share(build):
@@ -91,6 +106,11 @@ def output_share(build):
 
 def step_command(build, overrides):
     return [build / "tests/benchmark/benchmark_step", SCENE, *settings(overrides), "--steps", STEPS]
+
+
+def shot_command(build, overrides, steps, scene=SCENE):
+    """The scene itself from its beginning on: the plies at rest, the projectile on its way."""
+    return [build / "tests/benchmark/benchmark_step", scene, *settings(overrides), "--warm-up", 0, "--speed", 0, "--steps", steps]
 
 
 def kernels(build, repeats):
@@ -142,8 +162,8 @@ def measure(build, counted, repeats):
         "targets": TARGETS,
         "one_rank": {**{name: one_rank(run_words(build, []), [*CUT, *overrides], repeats) for name, overrides in cases.items()},
                      "with ply contact, the whole example": one_rank(run_words(build, []), [], 2)},
-        "two_ranks": [two_ranks(run_words(build, CUT), 3 * repeats), two_ranks(run_words(build, [*CUT, *FINER]), 3 * repeats),
-                      two_ranks(run_words(build, CUT_SHORT, SCALING), repeats)],
+        "two_ranks": [two_ranks(shot_command(build, [], 600), 8 * repeats), two_ranks(shot_command(build, FINER, 300), 3 * repeats),
+                      two_ranks(shot_command(build, [], 20, SCALING), 2 * repeats)],
         "output": output_share(build),
         "memory": {name: json.loads(run(step_command(build, overrides)))["bytes"] - CONNECTIVITY for name, overrides in cases.items()},
         "kernels": rates,
@@ -180,8 +200,8 @@ def page(result):
     return template.format(
         **result["machine"], **result["build"], targets=TARGETS, elements=one["without ply contact"]["elements"],
         one_rank=rows([name, *(f"{case['phases'][p]:.1f}" for p in STEP_PHASES), f"**{case['nanoseconds']:.1f}**"] for name, case in one.items()),
-        steps=STEPS, two_ranks=rows([str(case["elements"]), f"**{case['ratio']:.3f}**", ", ".join(f"{r:.3f}" for r in sorted(case["ratios"]))]
-                                    for case in result["two_ranks"]),
+        steps=STEPS, two_ranks=rows([str(case["elements"]), str(case["steps"]), f"**{case['ratio']:.3f}**", f"{statistics.median(case['pairs']):.2f}",
+                                     f"{min(case['pairs']):.2f} to {max(case['pairs']):.2f}"] for case in result["two_ranks"]),
         output=f"{result['output']['share']:.2%}", memory=rows([name, f"{value:.0f}"] for name, value in result["memory"].items()),
         kernels=kernel_rows(result["kernels"]), roofline=roofline_text(result["roofline"], result["kernels"]["AVX2"]),
         output_target=f"{TARGETS['output']:.0%}")

@@ -61,7 +61,7 @@ class Impact::Parts {
         if (rebalance) load_.emplace(scene, *rebalance);
     }
 
-    void to_the_end() {
+    std::optional<std::string> to_the_end() {
         report_.start(simulation_);
         std::optional<std::string> stopped;
         io::Progress progress(log_, scene_.time.end);
@@ -84,7 +84,7 @@ class Impact::Parts {
         progress.finish();
         if (load_ && !is_rebalanced_) report_.never_rebalanced(load_->worst());
         report_.finish(simulation_, last_, stopped, directory_);
-        if (stopped) throw GuardStop(*stopped);
+        return stopped;
     }
 
   private:
@@ -171,7 +171,7 @@ Impact::Impact(const scene::Scene& scene, const std::filesystem::path& directory
 
 Impact::~Impact() = default;
 
-void Impact::to_the_end() { parts_->to_the_end(); }
+std::optional<std::string> Impact::to_the_end() { return parts_->to_the_end(); }
 
 int columns_of(const scene::Scene& scene) { return static_cast<int>(mesh::make_panel(scene).columns()); }
 

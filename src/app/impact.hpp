@@ -27,8 +27,8 @@ class Impact {
     Impact(const Impact&) = delete;
     Impact& operator=(const Impact&) = delete;
 
-    /// Computes to the end. @throws GuardStop with everything written when the guard stopped the run
-    void to_the_end();
+    /// Computes to the end and writes everything. @return why the guard stopped the run; nothing: it came to its end
+    [[nodiscard]] std::optional<std::string> to_the_end();
 
   private:
     class Parts;

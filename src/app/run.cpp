@@ -37,7 +37,8 @@ void run(const Options& options) {
     const auto directory = options.output.empty() ? std::filesystem::path("runs") / options.scene.stem() : options.output;
     const io::OutputDirectory kept(directory, comm);
     if (comm.rank() == 0 && kept.replaces()) fmt::print("{}: replaces the run that was there\n", directory.string());
-    Impact(scene, directory, comm, io::Terminal::shown, options.rebalance).to_the_end();
+    const auto stopped = Impact(scene, directory, comm, io::Terminal::shown, options.rebalance).to_the_end();
+    if (stopped) throw GuardStop(*stopped);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ constexpr std::size_t cache_line = 64;
 // A wait is short unless the ranks share their cores: then the one waited for has to get its turn.
 constexpr int looks_before_yielding = 2000;
 
+static_assert(std::atomic_ref<std::uint64_t>::is_always_lock_free, "ranks share it");
+
 std::size_t in_whole_lines(std::size_t bytes) { return (bytes + cache_line - 1) / cache_line * cache_line; }
 
 }  // namespace
@@ -27,7 +29,8 @@ struct alignas(cache_line) Mailboxes::Header {
     std::size_t bytes;   ///< of the messages of a turn
 };
 
-Mailboxes::Mailboxes(const Communicator& comm) : rank_(comm.rank()), on_host_(static_cast<std::size_t>(comm.size()), -1) {
+Mailboxes::Mailboxes(const Communicator& comm)
+    : exceptions_(std::uncaught_exceptions()), rank_(comm.rank()), on_host_(static_cast<std::size_t>(comm.size()), -1) {
     if (comm.size() == 1) return;
     check(MPI_Comm_split_type(comm.get(), MPI_COMM_TYPE_SHARED, comm.rank(), MPI_INFO_NULL, &host_));
     check(MPI_Comm_size(host_, &ranks_on_host_));
@@ -45,7 +48,7 @@ Mailboxes::Mailboxes(const Communicator& comm) : rank_(comm.rank()), on_host_(st
 }
 
 Mailboxes::~Mailboxes() {
-    if (std::uncaught_exceptions() > 0) return;  // the others may not get here
+    if (std::uncaught_exceptions() > exceptions_) return;  // the others may not get here
     release();
     if (host_ != MPI_COMM_NULL) MPI_Comm_free(&host_);
 }
@@ -119,8 +122,11 @@ void Mailboxes::post() {
 const std::byte* Mailboxes::incoming(int rank) const {
     const auto from = on_host_[static_cast<std::size_t>(rank)];
     const std::atomic_ref turn(header(from).turn);
-    for (int looks = 0; turn.load(std::memory_order_acquire) < turn_; ++looks)
-        if (looks >= looks_before_yielding) std::this_thread::yield();
+    for (int looks = 0; turn.load(std::memory_order_acquire) < turn_;)
+        if (looks < looks_before_yielding)
+            ++looks;
+        else
+            std::this_thread::yield();
     return message(from, rank_on_host_, turn_);
 }
 

@@ -79,16 +79,40 @@ struct Outgoing {
     ByRank<NodeMessage> nodes;
 };
 
-/// Footprints of the alive facets of all plies over each of a rank's columns.
-std::vector<Footprint> footprints_of_columns(const contact::Whereabouts& expected, const contact::Surface& surface) {
-    const auto owned = static_cast<std::size_t>(surface.owned);
-    std::vector<Footprint> footprints(owned / surface.plies.size());
-    for (std::size_t f = 0; f < owned; ++f)
-        if (surface.alive[f]) footprints[f % footprints.size()].include(expected.of(surface.facets[f]));
-    return footprints;
-}
+double width(const Footprint& footprint) { return std::max(footprint.x_high - footprint.x_low, footprint.y_high - footprint.y_low); }
 
-/// Footprints of other ranks' columns that may be near this one's. @param of this one's
+/// The alive facets of all plies over each of a rank's columns.
+class ColumnFootprints {
+  public:
+    ColumnFootprints(const contact::Whereabouts& expected, const contact::Surface& surface)
+        : columns(static_cast<std::size_t>(surface.owned) / surface.plies.size()) {
+        std::vector<double> widest(columns.size(), 0);
+        for_each(surface, [&](std::size_t f, std::size_t column) {
+            const auto footprint = expected.of(surface.facets[f]);
+            columns[column].include(footprint);
+            widest[column] = std::max(widest[column], width(footprint));
+        });
+        // Fragments have flown away from some columns: what lies between is nobody's.
+        const auto is_torn = [&](std::size_t column) { return width(columns[column]) > 2 * widest[column]; };
+        for (std::size_t column = 0; column < columns.size(); ++column)
+            if (!is_torn(column)) covering.push_back(columns[column]);
+        for_each(surface, [&](std::size_t f, std::size_t column) {
+            if (is_torn(column)) covering.push_back(expected.of(surface.facets[f]));
+        });
+    }
+
+    std::vector<Footprint> columns;   ///< around all facets of each; empty: none is left
+    std::vector<Footprint> covering;  ///< together over all facets: of columns where they are still in place, else of facets
+
+  private:
+    template <class Use>
+    void for_each(const contact::Surface& surface, Use use) const {
+        for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f)
+            if (surface.alive[f]) use(f, f % columns.size());
+    }
+};
+
+/// Footprints of other ranks' columns and facets that may be near this one's. @param of this one's
 ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double reach, const std::vector<Footprint>& of) {
     Footprint mine;
     for (const auto& footprint : of) mine.include(footprint);
@@ -105,8 +129,9 @@ ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double r
 Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
                 const contact::Surface& surface, const Nodes& nodes) {
     const auto ranks = static_cast<std::size_t>(comm.size());
-    const auto columns = footprints_of_columns(expected, surface);
-    auto around = footprints_around(comm, reach, columns);
+    const ColumnFootprints footprints(expected, surface);
+    const auto& columns = footprints.columns;
+    auto around = footprints_around(comm, reach, footprints.covering);
     const auto owner = owners(plan, comm.rank());
     Outgoing out{ByRank<FacetMessage>(ranks), ByRank<NodeMessage>(ranks)};
     std::vector<std::int32_t> told(owner.size());  // at which place in the message to the rank at hand, or -1

@@ -1,10 +1,11 @@
-/// Takes steps of a scene, by the product's time loop or by the textbook's, and prints what they cost as JSON. On several ranks: what rank
-/// 0 sees of them.
+/// Takes steps of a scene, by the product's time loop or by the textbook's, and prints what they cost as JSON: of all ranks, a step as long
+/// as on the rank on which it takes longest.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -14,6 +15,7 @@
 #include <numbers>
 #include <numeric>
 #include <span>
+#include <tuple>
 
 #include "allocations.hpp"
 #include "textbook_step.hpp"
@@ -44,15 +46,16 @@ struct Options {
 struct Cost {
     std::vector<double> seconds;  ///< of each step
     std::int64_t allocations = 0, elements = 0;
-    std::size_t bytes = 0;  ///< of the heap, at the end
+    std::int64_t bytes = 0;  ///< of the heap, at the end
     std::vector<Vec3> positions;
 };
 
 /// The first ply dishes towards the second, fastest in the middle: every element stretches, shears and turns, and plies meet.
-void set_in_motion(solver::Model& model, double speed) {
+void set_in_motion(solver::Model& model, const parallel::Communicator& comm, double speed) {
     auto& nodes = model.nodes;
     double reach = 0;
     for (const auto& x : nodes.x) reach = std::max({reach, std::abs(x.x()), std::abs(x.y())});
+    reach = comm.max(reach);
     for (std::size_t n = 0; n < nodes.x.size(); ++n) {
         const double across =
             std::cos(std::numbers::pi / 2 * nodes.x[n].x() / reach) * std::cos(std::numbers::pi / 2 * nodes.x[n].y() / reach);
@@ -62,15 +65,16 @@ void set_in_motion(solver::Model& model, double speed) {
 }
 
 template <class Stepper>
-Cost cost_of(Stepper& stepper, const std::function<void()>& step, const Options& options, std::size_t held_before) {
-    set_in_motion(stepper.model(), options.speed);
+Cost cost_of(Stepper& stepper, const std::function<void()>& step, const parallel::Communicator& comm, const Options& options,
+             std::size_t held_before) {
+    set_in_motion(stepper.model(), comm, options.speed);
     for (int n = 0; n < options.warm_up; ++n) step();
     Cost cost;
     cost.seconds.resize(static_cast<std::size_t>(options.steps));
     const auto allocated = allocations();
     measured_steps(step, cost.seconds);
     cost.allocations = allocations() - allocated;
-    cost.bytes = bytes_held() - held_before;
+    cost.bytes = static_cast<std::int64_t>(bytes_held() - held_before);
     const auto& model = stepper.model();
     cost.elements = static_cast<std::int64_t>(model.places.size());
     cost.positions.assign(model.nodes.x.begin(), model.nodes.x.begin() + model.nodes.count);
@@ -82,14 +86,14 @@ Cost measure(const scene::Scene& scene, const parallel::Communicator& comm, cons
     if (textbook) {
         TextbookStep stepper(scene, comm);
         return cost_of(
-            stepper, [&stepper] { stepper.advance(); }, options, held);
+            stepper, [&stepper] { stepper.advance(); }, comm, options, held);
     }
     solver::Simulation simulation(scene, comm);
     const auto step = [&simulation] {
         simulation.advance_forces();
         simulation.integrate();
     };
-    return cost_of(simulation, step, options, held);
+    return cost_of(simulation, step, comm, options, held);
 }
 
 bool same_bits(const std::vector<Vec3>& one, const std::vector<Vec3>& other) {
@@ -122,6 +126,9 @@ int run(const Options& options) {
     if (options.check) return check(scene, comm, options);
     auto cost = measure(scene, comm, options, options.textbook);
     comm.max(cost.seconds);
+    std::array sums{cost.elements, cost.bytes, cost.allocations};
+    comm.sum(sums);
+    std::tie(cost.elements, cost.bytes, cost.allocations) = std::tuple_cat(sums);
     if (comm.rank() == 0) fmt::print("{}\n", report(cost, options).dump());
     return 0;
 }

@@ -94,8 +94,8 @@ class PenaltyLaw {
         const double work = (elastic_pressure(before) + elastic_pressure(moved)) / 2 * closing * dt;
         const double dissipated = work - (recoverable(moved) - recoverable(before));
 
-        // A metre of creep costs at most the highest pressure on the way and, as the pressure is higher from now on, half of what it adds
-        // to it over what the sides open.
+        // A metre of creep costs at most the pressure that first loading has at the largest penetration and, as the pressure is higher
+        // from now on, half of what it adds to it over what the sides open.
         const double behind = std::max(geometric - moved.present, 0.0), creep = std::min(healing_rate_ * dt, 1.0) * behind;
         const double opened = std::max(-closing * dt, 0.0);
         const double price = stiffness_ * std::max(moved.largest, moved.present + creep) + unloading_ * stiffness_ * opened / 2;

@@ -44,6 +44,7 @@ class Mailboxes {
     void allocate(std::size_t bytes);
     void release();
 
+    int exceptions_;  ///< under way when this was made
     MPI_Comm host_ = MPI_COMM_NULL;
     MPI_Win window_ = MPI_WIN_NULL;
     int rank_, ranks_on_host_ = 1, rank_on_host_ = 0;

@@ -18,7 +18,8 @@ using ForceExchange = parallel::Exchange<FixedVector>;
 ForceExchange halo_exchange(const partition::HaloPlan& plan);
 
 /// Rebuilds the ghost layer: the facets of other ranks that are not eroded and whose footprint comes within `reach` of that of one of this
-/// rank's, in any ply. Facets that share a node with this rank's are among them, so its nodal normals are complete.
+/// rank's, in any ply, and some around them: what lies over one cell of the mesh is looked at as one. Facets that share a node with this
+/// rank's are among them, so its nodal normals are complete.
 /// @param expected where this rank's nodes are until the next rebuild
 /// @param reach    distance up to which facets may matter until then, m
 /// @param surface  owned facets stand, with their rims; ghosts are replaced

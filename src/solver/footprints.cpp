@@ -40,14 +40,14 @@ FootprintBins::FootprintBins(std::vector<Footprint> footprints, double reach) : 
     for_each_listing([&](std::size_t bin, std::int32_t footprint) { listed_[first_[bin + 1]++] = footprint; });
 }
 
-bool FootprintBins::near(const Footprint& other) const {
-    if (!all_.near(other, reach_)) return false;
+bool FootprintBins::near(const Footprint& other, double reach) const {
+    if (!all_.near(other, reach)) return false;
     const auto [i0, i1, j0, j1] = touched(other);
     for (auto j = j0; j <= j1; ++j)
         for (auto i = i0; i <= i1; ++i) {
             const auto bin = static_cast<std::size_t>(j * nx_ + i);
             for (auto k = first_[bin]; k < first_[bin + 1]; ++k)
-                if (footprints_[static_cast<std::size_t>(listed_[k])].near(other, reach_)) return true;
+                if (footprints_[static_cast<std::size_t>(listed_[k])].near(other, reach)) return true;
         }
     return false;
 }

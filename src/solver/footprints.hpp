@@ -14,11 +14,11 @@ using contact::Footprint;
 /// Many footprints, sorted into uniform bins, to be asked for those near another.
 class FootprintBins {
   public:
-    /// @param reach as for `near`, m
+    /// @param reach largest for `near`, m
     FootprintBins(std::vector<Footprint> footprints, double reach);
 
-    /// Whether any comes within the reach of `other`.
-    [[nodiscard]] bool near(const Footprint& other) const;
+    /// Whether any comes within `reach` of `other`.
+    [[nodiscard]] bool near(const Footprint& other, double reach) const;
 
   private:
     struct Bins {

@@ -73,12 +73,6 @@ std::vector<std::int32_t> owners(const partition::HaloPlan& plan, int rank) {
     return owners;
 }
 
-/// What other ranks need of this one.
-struct Outgoing {
-    ByRank<FacetMessage> facets;
-    ByRank<NodeMessage> nodes;
-};
-
 double width(const Footprint& footprint) { return std::max(footprint.x_high - footprint.x_low, footprint.y_high - footprint.y_low); }
 
 /// The alive facets of all plies over each of a rank's columns.
@@ -126,19 +120,50 @@ ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double r
     return parallel::all_to_all(comm, outgoing);
 }
 
-Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
-                const contact::Surface& surface, const Nodes& nodes) {
+/// Facets of this rank, by the rank that needs them, each list column by column.
+struct Choice {
+    ByRank<GhostFacet> all, needed;  ///< needed: until the next renewal
+};
+
+Choice choose(const parallel::Communicator& comm, const contact::Whereabouts& expected, double reach, double spare,
+              const contact::Surface& surface) {
     const auto ranks = static_cast<std::size_t>(comm.size());
+    Choice choice{ByRank<GhostFacet>(ranks), ByRank<GhostFacet>(ranks)};
+    if (ranks == 1) return choice;
     const ColumnFootprints footprints(expected, surface);
     const auto& columns = footprints.columns;
     auto around = footprints_around(comm, reach, footprints.covering);
-    const auto owner = owners(plan, comm.rank());
-    Outgoing out{ByRank<FacetMessage>(ranks), ByRank<NodeMessage>(ranks)};
-    std::vector<std::int32_t> told(owner.size());  // at which place in the message to the rank at hand, or -1
     for (std::size_t r = 0; r < ranks; ++r) {
         if (around[r].empty()) continue;
-        std::ranges::fill(told, -1);
         const FootprintBins bins(std::move(around[r]), reach);
+        for (std::size_t column = 0; column < columns.size(); ++column) {
+            if (!bins.near(columns[column], reach)) continue;
+            for (auto f = column; f < static_cast<std::size_t>(surface.owned); f += columns.size()) {
+                const auto footprint = expected.of(surface.facets[f]);
+                if (!surface.alive[f] || !bins.near(footprint, reach)) continue;
+                const GhostFacet facet{static_cast<std::int32_t>(f), !surface.on_rim.empty() && surface.on_rim[f] != 0};
+                choice.all[r].push_back(facet);
+                if (bins.near(footprint, reach - spare)) choice.needed[r].push_back(facet);
+            }
+        }
+    }
+    return choice;
+}
+
+/// What other ranks are told.
+struct Outgoing {
+    ByRank<FacetMessage> facets;
+    ByRank<NodeMessage> nodes;
+};
+
+Outgoing messages_of(const ByRank<GhostFacet>& chosen, const partition::HaloPlan& plan, const contact::Surface& surface, const Nodes& nodes,
+                     int rank) {
+    const auto owner = owners(plan, rank);
+    Outgoing out{ByRank<FacetMessage>(chosen.size()), ByRank<NodeMessage>(chosen.size())};
+    std::vector<std::int32_t> told(owner.size());  // at which place in the message to the rank at hand, or -1
+    for (std::size_t r = 0; r < chosen.size(); ++r) {
+        if (chosen[r].empty()) continue;
+        std::ranges::fill(told, -1);
         const auto send_node = [&](std::int32_t node) {
             const auto n = static_cast<std::size_t>(node);
             if (told[n] < 0) {
@@ -148,15 +173,10 @@ Outgoing select(const parallel::Communicator& comm, const partition::HaloPlan& p
             }
             return told[n];
         };
-        for (std::size_t column = 0; column < columns.size(); ++column) {
-            if (!bins.near(columns[column])) continue;
-            for (auto f = column; f < static_cast<std::size_t>(surface.owned); f += columns.size()) {
-                const auto& facet = surface.facets[f];
-                if (!surface.alive[f] || !bins.near(expected.of(facet))) continue;
-                const bool on_rim = !surface.on_rim.empty() && surface.on_rim[f];
-                auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, on_rim});
-                std::ranges::transform(facet.nodes, message.nodes.begin(), send_node);
-            }
+        for (const auto& [f, on_rim] : chosen[r]) {
+            const auto& facet = surface.facets[static_cast<std::size_t>(f)];
+            auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, on_rim});
+            std::ranges::transform(facet.nodes, message.nodes.begin(), send_node);
         }
     }
     return out;
@@ -299,15 +319,29 @@ ForceExchange halo_exchange(const partition::HaloPlan& plan) {
     return ForceExchange(std::move(links));
 }
 
-ForceExchange rebuild_ghosts(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected,
-                             double reach, contact::Surface& surface, Nodes& nodes) {
-    if (comm.size() == 1) return {};
+bool Ghosts::suffice(std::span<const GhostFacet> needed, std::span<const GhostFacet> known, const contact::Surface& surface) {
+    const auto columns = surface.owned / static_cast<std::int32_t>(surface.plies.size());
+    const auto place = [&](const GhostFacet& ghost) { return std::pair(ghost.facet % columns, ghost.facet); };
+    return std::ranges::includes(known, needed, {}, place, place) && std::ranges::all_of(known, [&](const GhostFacet& ghost) {
+               const auto f = static_cast<std::size_t>(ghost.facet);
+               return surface.alive[f] && ghost.on_rim == (!surface.on_rim.empty() && surface.on_rim[f] != 0);
+           });
+}
+
+bool Ghosts::renew(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
+                   double spare, contact::Surface& surface, Nodes& nodes, ForceExchange& exchange) {
+    auto choice = choose(comm, expected, reach, spare, surface);
+    bool suffices = known_.size() == choice.needed.size();
+    for (std::size_t r = 0; suffices && r < known_.size(); ++r) suffices = suffice(choice.needed[r], known_[r], surface);
+    if (!comm.any(!suffices)) return false;
+    known_ = std::move(choice.all);
     Places places(nodes);
-    const auto out = select(comm, plan, expected, reach, surface, nodes);
+    const auto out = messages_of(known_, plan, surface, nodes, comm.rank());
     const auto arrived = take_in(parallel::all_to_all(comm, out.nodes), places, nodes);
     take_in_facets(parallel::all_to_all(comm, out.facets), arrived.places, surface);
     const auto introduced = introduce(parallel::all_to_all(comm, arrived.wanted), plan, places, comm.rank());
-    return ForceExchange(links_of(parallel::all_to_all(comm, introduced), plan, places));
+    exchange = ForceExchange(links_of(parallel::all_to_all(comm, introduced), plan, places));
+    return true;
 }
 
 }  // namespace weavefront::solver

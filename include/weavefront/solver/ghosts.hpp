@@ -2,6 +2,10 @@
 /// @file
 /// Facets of other ranks that contact needs.
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/contact/whereabouts.hpp"
 #include "weavefront/parallel/exchange.hpp"
@@ -17,16 +21,35 @@ using ForceExchange = parallel::Exchange<FixedVector>;
 /// Over the nodes that ranks share, without ghosts.
 ForceExchange halo_exchange(const partition::HaloPlan& plan);
 
-/// Rebuilds the ghost layer: the facets of other ranks that are not eroded and whose footprint comes within `reach` of that of one of this
-/// rank's, in any ply, and some around them: what lies over one cell of the mesh is looked at as one. Facets that share a node with this
-/// rank's are among them, so its nodal normals are complete.
-/// @param expected where this rank's nodes are until the next rebuild
-/// @param reach    distance up to which facets may matter until then, m
-/// @param surface  owned facets stand, with their rims; ghosts are replaced
-/// @param nodes    ghosts are replaced by the new ones, complete but for the force
-/// @return         the exchange over shared nodes and ghosts
-/// @note Collective
-ForceExchange rebuild_ghosts(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected,
-                             double reach, contact::Surface& surface, Nodes& nodes);
+/// A facet of this rank that another one knows.
+struct GhostFacet {
+    std::int32_t facet;
+    bool on_rim;
+};
+
+/// The ghost layer: the facets of other ranks that are not eroded and whose footprint comes within reach of that of one of this rank's, in
+/// any ply, and some around them: what lies over one cell of the mesh is looked at as one. Facets that share a node with this rank's are
+/// among them, so its nodal normals are complete.
+class Ghosts {
+  public:
+    /// Replaces all ghosts where on any rank one is missing that may matter until the next renewal, or one has eroded or come to lie on a
+    /// rim. Otherwise they stay: every rank moves them as their owner does.
+    /// @param expected where this rank's nodes are until the next renewal
+    /// @param reach    within which ghosts are taken in, m
+    /// @param spare    part of it that is for later: facets within reach - spare may matter until the next renewal, m
+    /// @param surface  owned facets stand, with their rims; ghosts are replaced
+    /// @param nodes    ghosts are replaced by the new ones, complete but for the force
+    /// @param exchange replaced by that over shared nodes and ghosts
+    /// @return whether they were replaced, the same on all ranks; always the first time
+    /// @note Collective
+    bool renew(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
+               double spare, contact::Surface& surface, Nodes& nodes, ForceExchange& exchange);
+
+  private:
+    [[nodiscard]] static bool suffice(std::span<const GhostFacet> needed, std::span<const GhostFacet> known,
+                                      const contact::Surface& surface);
+
+    std::vector<std::vector<GhostFacet>> known_;  ///< of this rank's facets, by the rank that knows them
+};
 
 }  // namespace weavefront::solver

@@ -38,6 +38,7 @@ struct Model {
     contact::Surface surface;
     contact::NodalNormals normals;  ///< of the plies, for contact
     partition::HaloPlan halo;
+    Ghosts ghosts;
     ForceExchange exchange;
     Assembly assembly;
     GlobalIds global;
@@ -53,7 +54,7 @@ struct Model {
 };
 
 /// The decomposition that the scene alone suggests, computed on rank 0.
-/// @param ghost_reach as for `rebuild_ghosts`, m; 0: no ghosts
+/// @param ghost_reach as for `Ghosts`, m; 0: no ghosts
 /// @throws std::invalid_argument when there are more ranks than columns
 /// @note Collective
 partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, double ghost_reach,

@@ -97,8 +97,10 @@ class Counter {
         for (std::size_t a = 0; a < knowing.size(); ++a)
             for (std::size_t b = 0; b < knowing.size(); ++b) {
                 if (a == b) continue;
-                at(knowing[a]).bytes_sent += force_bytes * plies_;
-                at(knowing[b]).bytes_received += force_bytes * plies_;
+                if (a < holding) {
+                    at(knowing[a]).bytes_sent += force_bytes * plies_;
+                    at(knowing[b]).bytes_received += force_bytes * plies_;
+                }
                 linked_.emplace_back(knowing[a], knowing[b]);
                 if (a < holding && b < holding) neighbours_.emplace_back(knowing[a], knowing[b]);
             }

@@ -1,5 +1,8 @@
 #include "weavefront/contact/projectile_contact.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace weavefront::contact {
 
 ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
@@ -31,8 +34,11 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
         const auto& facet = surface.facets[index];
         const auto& shape = shapes_[static_cast<std::size_t>(facet.ply)];
         const auto box = Box::around(facet, x);
-        // Near enough for the side on which a point comes in to be noted before it does: a tenth of the radius is many steps.
-        const double margin = 0.1 * shape.radius();
+        // Near enough for the side on which a point comes in to be noted before it does.
+        double fastest = 0;
+        for (const auto node : facet.nodes)
+            fastest = std::max(fastest, (v[static_cast<std::size_t>(node)] - projectile.velocity).squaredNorm());
+        const double margin = 0.01 * shape.radius() + 4 * dt * std::sqrt(fastest);
         const double z = projectile.position.z();
         const auto apart = [&](int d) {
             const double reach = shape.radius() + margin;

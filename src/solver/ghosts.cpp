@@ -259,7 +259,7 @@ struct OtherHolders {
 /// What the owner of a node tells those that know it: the node, and one other rank that knows it.
 struct Acquaintance {
     std::int64_t node;
-    std::int64_t rank;
+    std::int32_t rank, has_it_as_ghost;
 };
 
 /// Introduces all ranks to each other that hold a node or have it as a ghost. @param wanted by each rank of this one's nodes
@@ -270,43 +270,62 @@ ByRank<Acquaintance> introduce(const ByRank<std::int64_t>& wanted, const partiti
     std::ranges::sort(ghosts);
     const OtherHolders holders(plan);
     ByRank<Acquaintance> outgoing(wanted.size());
-    std::vector<std::int32_t> knowing;
+    struct Knowing {
+        std::int32_t rank, as_ghost;
+    };
+    std::vector<Knowing> knowing;
     for (std::size_t g = 0; g < ghosts.size();) {
         const auto id = ghosts[g].first;
         const auto others = holders.of(places.own(id));
-        knowing.assign(1, rank);
-        knowing.insert(knowing.end(), others.begin(), others.end());
-        for (; g < ghosts.size() && ghosts[g].first == id; ++g) knowing.push_back(ghosts[g].second);
-        for (const auto to : knowing)
-            for (const auto other : knowing)
-                if (to != other) outgoing[static_cast<std::size_t>(to)].push_back({id, other});
+        knowing.assign(1, {rank, 0});
+        for (const auto other : others) knowing.push_back({other, 0});
+        for (; g < ghosts.size() && ghosts[g].first == id; ++g) knowing.push_back({ghosts[g].second, 1});
+        for (const auto& to : knowing)
+            for (const auto& other : knowing)
+                if (to.rank != other.rank) outgoing[static_cast<std::size_t>(to.rank)].push_back({id, other.rank, other.as_ghost});
     }
     return outgoing;
 }
 
+/// A node that another rank knows, too.
+struct Shared {
+    std::int64_t id;
+    std::int32_t place;
+    bool ghost_here, ghost_there;
+};
+
+/// A rank has something to add to a ghost only where its plies press on others, so that most of that is zero.
+/// @param nodes in global order
+parallel::Share share_of(std::span<const Shared> nodes, bool Shared::*ghost) {
+    parallel::Share share;
+    for (const auto& node : nodes)
+        if (!(node.*ghost)) share.nodes.push_back(node.place);
+    share.whole = share.nodes.size();
+    for (const auto& node : nodes)
+        if (node.*ghost) share.nodes.push_back(node.place);
+    return share;
+}
+
 /// @param introduced by the owners, nodes that are ghosts somewhere; all others are shared as the plan says
 std::vector<parallel::Link> links_of(const ByRank<Acquaintance>& introduced, const partition::HaloPlan& plan, const Places& places) {
-    struct Shared {
-        std::int64_t id;
-        std::int32_t place;
-    };
     ByRank<Shared> shared(introduced.size());
     std::vector<bool> told(plan.owned.size(), false);
     for (const auto& messages : introduced)
-        for (const auto& [node, rank] : messages) {
+        for (const auto& [node, rank, has_it_as_ghost] : messages) {
             const auto place = places.of(node);
-            shared[static_cast<std::size_t>(rank)].push_back({node, place});
-            if (places.is_own(place)) told[static_cast<std::size_t>(place)] = true;
+            const bool own = places.is_own(place);
+            shared[static_cast<std::size_t>(rank)].push_back({node, place, !own, has_it_as_ghost != 0});
+            if (own) told[static_cast<std::size_t>(place)] = true;
         }
     for (const auto& neighbour : plan.neighbours)
         for (const auto node : neighbour.nodes)
-            if (!told[static_cast<std::size_t>(node)]) shared[static_cast<std::size_t>(neighbour.rank)].push_back({places.id(node), node});
+            if (!told[static_cast<std::size_t>(node)])
+                shared[static_cast<std::size_t>(neighbour.rank)].push_back({places.id(node), node, false, false});
     std::vector<parallel::Link> links;
     for (std::size_t r = 0; r < shared.size(); ++r) {
         if (shared[r].empty()) continue;
         std::ranges::sort(shared[r], {}, &Shared::id);
-        auto& link = links.emplace_back(parallel::Link{static_cast<int>(r), {}});
-        for (const auto& node : shared[r]) link.nodes.push_back(node.place);
+        links.emplace_back(static_cast<int>(r), share_of(shared[r], &Shared::ghost_here), share_of(shared[r], &Shared::ghost_there));
     }
     return links;
 }
@@ -315,7 +334,7 @@ std::vector<parallel::Link> links_of(const ByRank<Acquaintance>& introduced, con
 
 ForceExchange halo_exchange(const partition::HaloPlan& plan) {
     std::vector<parallel::Link> links;
-    for (const auto& neighbour : plan.neighbours) links.push_back({neighbour.rank, neighbour.nodes});
+    for (const auto& neighbour : plan.neighbours) links.emplace_back(neighbour.rank, neighbour.nodes);
     return ForceExchange(std::move(links));
 }
 

@@ -55,9 +55,9 @@ BENCHMARK(assembly);
 void halo(::benchmark::State& state) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     constexpr std::int32_t shared = 256;
-    parallel::Link link{.rank = comm.rank(), .nodes = {}};
-    for (std::int32_t n = 0; n < shared; ++n) link.nodes.push_back(3 * n);
-    parallel::Exchange<solver::FixedVector> exchange({link});
+    std::vector<std::int32_t> nodes;
+    for (std::int32_t n = 0; n < shared; ++n) nodes.push_back(3 * n);
+    parallel::Exchange<solver::FixedVector> exchange({{comm.rank(), nodes}});
     std::vector<solver::FixedVector> sums(std::size_t{3} * shared);
     for (auto _ : state) {
         exchange.sum(comm, sums);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <numeric>
 #include <thread>
 
 namespace weavefront::test {
@@ -14,6 +15,7 @@ namespace {
 using parallel::Communicator;
 using parallel::Exchange;
 using parallel::Link;
+using parallel::Share;
 using Triple = std::array<std::int64_t, 3>;
 
 /// Ranks in a row, each with nodes 0..3. Its nodes 2, 3 are the nodes 0, 1 of the next rank, listed back to front to show that the order
@@ -74,10 +76,55 @@ std::vector<Link> all_with_all(const Communicator& comm, std::int32_t size) {
     std::int32_t node = 0;
     for (int r = 0; r < comm.size(); ++r) {
         if (r == comm.rank()) continue;
-        auto& link = links.emplace_back(Link{r, {}});
-        for (std::int32_t n = 0; n <= size * (r + comm.rank()); ++n) link.nodes.push_back(node++);
+        std::vector<std::int32_t> nodes(static_cast<std::size_t>(size) * static_cast<std::size_t>(r + comm.rank()) + 1);
+        std::iota(nodes.begin(), nodes.end(), node);
+        node = nodes.back() + 1;
+        links.emplace_back(r, nodes);
     }
     return links;
+}
+
+/// All with all over nodes 0 to 11 of each, which are the same for all. Rank r holds those from 3 r on, three of its own; it sends what it
+/// has of the others where it is not zero.
+std::vector<Link> with_ghosts(const Communicator& comm) {
+    const auto sent_by = [](int rank) {
+        Share share;
+        for (std::int32_t n = 0; n < 12; ++n) share.nodes.push_back((n + 3 * rank) % 12);
+        share.whole = 3;
+        return share;
+    };
+    std::vector<Link> links;
+    for (int r = 0; r < comm.size(); ++r)
+        if (r != comm.rank()) links.emplace_back(r, sent_by(comm.rank()), sent_by(r));
+    return links;
+}
+
+TEST(Exchange, SumsAlsoWhatTravelsOnlyWhereItIsNotZero) {
+    const Communicator comm(MPI_COMM_WORLD);
+    parallel::Mailboxes mailboxes(comm);
+    Exchange<Triple> by_messages(with_ghosts(comm)), by_mail(with_ghosts(comm));
+    by_mail.use(comm, mailboxes);
+    // What rank r has of node n in a turn: nothing, something in one component, or in all.
+    const auto value = [](int rank, int node, int turn) {
+        const int kind = (rank + node + turn) % 4;
+        return kind == 0   ? Triple{}
+               : kind == 1 ? Triple{0, 0, -turn - 1}
+               : kind == 2 ? Triple{rank - 7, 0, 0}
+                           : Triple{turn, node, 1 << rank};
+    };
+    for (int turn = 0; turn < 12; ++turn) {
+        std::vector<Triple> values, expected(12);
+        for (int node = 0; node < 12; ++node) {
+            values.push_back(value(comm.rank(), node, turn));
+            for (int r = 0; r < comm.size(); ++r)
+                for (std::size_t i = 0; i < 3; ++i) expected[static_cast<std::size_t>(node)][i] += value(r, node, turn)[i];
+        }
+        auto same = values;
+        by_messages.sum(comm, values);
+        by_mail.sum(comm, same);
+        EXPECT_EQ(values, expected) << turn;
+        EXPECT_EQ(same, expected) << turn;
+    }
 }
 
 // Small and large, so that room is made anew and used again; many turns, with ranks that come late.
@@ -88,7 +135,7 @@ TEST(Exchange, SumsByMailWhatItSumsByMessages) {
         const auto links = all_with_all(comm, size);
         Exchange<Triple> by_messages(links), by_mail(links);
         by_mail.use(comm, mailboxes);
-        const std::size_t nodes = links.empty() ? 1 : static_cast<std::size_t>(links.back().nodes.back()) + 1;
+        const std::size_t nodes = links.empty() ? 1 : static_cast<std::size_t>(links.back().out.nodes.back()) + 1;
         const auto values = [&](int turn) {
             std::vector<Triple> all;
             for (std::size_t n = 0; n < nodes; ++n) all.push_back({static_cast<std::int64_t>(n) + 1000 * turn, comm.rank(), turn * turn});

@@ -21,10 +21,13 @@ TEST(HaloSizes, AreThoseOfTheLinks) {
         const auto& mine = sizes[static_cast<std::size_t>(comm.rank())];
 
         const auto& model = simulation.model();
-        std::int64_t bytes = 0;
-        for (const auto& link : model.exchange.links()) bytes += partition::force_bytes * static_cast<std::int64_t>(link.nodes.size());
-        EXPECT_EQ(mine.bytes_sent, bytes);
-        EXPECT_EQ(mine.bytes_received, bytes);
+        std::int64_t sent = 0, received = 0;
+        for (const auto& link : model.exchange.links()) {
+            sent += partition::force_bytes * static_cast<std::int64_t>(link.out.whole);
+            received += partition::force_bytes * static_cast<std::int64_t>(link.in.whole);
+        }
+        EXPECT_EQ(mine.bytes_sent, sent);
+        EXPECT_EQ(mine.bytes_received, received);
         EXPECT_EQ(mine.messages, static_cast<std::int64_t>(model.exchange.links().size()));
         EXPECT_EQ(mine.nodes, model.nodes.count);
         EXPECT_EQ(mine.ghosts, static_cast<std::int64_t>(model.nodes.x.size()) - model.nodes.count);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include "pace.hpp"
@@ -119,10 +120,9 @@ double least_time(const parallel::Communicator& comm, Call call) {
 double exchange_time(const parallel::Communicator& comm, std::int32_t nodes) {
     const int half = comm.size() / 2, other = comm.rank() < half ? comm.rank() + half : comm.rank() - half;
     std::vector<parallel::Link> links;
-    if (comm.rank() < 2 * half) {
-        links.push_back({other, {}});
-        for (std::int32_t n = 0; n < nodes; ++n) links[0].nodes.push_back(n);
-    }
+    std::vector<std::int32_t> all(static_cast<std::size_t>(nodes));
+    std::iota(all.begin(), all.end(), 0);
+    if (comm.rank() < 2 * half) links.emplace_back(other, all);
     parallel::Mailboxes mailboxes(comm);
     parallel::Exchange<solver::FixedVector> exchange(std::move(links));
     exchange.use(comm, mailboxes);

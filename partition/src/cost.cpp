@@ -14,9 +14,10 @@ std::vector<std::int32_t> column_costs(const mesh::Panel& panel, const scene::Sc
     const double everywhere = machine.element + machine.node + (zone.plies() ? machine.watch : 0);
     std::vector<std::int32_t> costs;
     costs.reserve(static_cast<std::size_t>(panel.columns()));
-    for (const double distance : zone.distances(panel))
-        costs.push_back(
-            static_cast<std::int32_t>(std::lround(1e9 * plies * (everywhere + zone.presence(distance, machine.relief) * machine.touch))));
+    for (const double distance : zone.distances(panel)) {
+        const double contact = zone.presence(distance, machine.relief) * machine.touch + zone.pressing(distance) * machine.press;
+        costs.push_back(static_cast<std::int32_t>(std::lround(1e9 * plies * (everywhere + contact))));
+    }
     return costs;
 }
 

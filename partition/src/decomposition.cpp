@@ -55,12 +55,14 @@ void fill_empty_parts(Decomposition& decomposition) {
 // METIS adds weights in 32 bits.
 constexpr std::int64_t largest_total = std::int64_t{1} << 30;
 
-std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights) {
+/// A column that weighs as much as a part is one: were it to weigh more, METIS would run out of columns on its way to the last parts.
+std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights, int parts) {
     const auto total = std::accumulate(weights.begin(), weights.end(), std::int64_t{0});
-    const auto divisor = static_cast<std::int32_t>(total / largest_total + 1);
+    const auto divisor = total / largest_total + 1, of_part = std::max(total / divisor / parts, std::int64_t{1});
     std::vector<idx_t> scaled;
     scaled.reserve(weights.size());
-    for (const auto weight : weights) scaled.push_back(std::max(weight / divisor, 1));
+    for (const auto weight : weights)
+        scaled.push_back(weight > 0 ? static_cast<idx_t>(std::clamp(weight / divisor, std::int64_t{1}, of_part)) : 0);
     return scaled;
 }
 
@@ -108,7 +110,7 @@ std::vector<std::int64_t> Decomposition::columns_of(int part) const {
 
 Decomposition decompose(const mesh::Panel& panel, std::span<const std::int32_t> weights, int parts) {
     require_columns(panel, parts);
-    auto scaled = metis_weights(weights);
+    auto scaled = metis_weights(weights, parts);
     // Asked for less imbalance than half of the heaviest column makes, METIS scatters columns in search of it.
     const auto of_part = static_cast<double>(std::accumulate(scaled.begin(), scaled.end(), std::int64_t{0})) / parts;
     const double in_thousandths = scaled.empty() ? 0 : 500 * *std::ranges::max_element(scaled) / of_part;
@@ -121,9 +123,10 @@ Decomposition decompose(const mesh::Panel& panel, std::span<const std::vector<st
     std::vector<idx_t> weights(columns * shares.size());
     std::vector<real_t> imbalances;
     for (std::size_t s = 0; s < shares.size(); ++s) {
-        for (std::size_t c = 0; c < columns; ++c) weights[c * shares.size() + s] = shares[s][c];
-        const auto of_part = static_cast<double>(std::accumulate(shares[s].begin(), shares[s].end(), std::int64_t{0})) / parts;
-        imbalances.push_back(static_cast<real_t>(1 + std::max(0.01, 0.5 * *std::ranges::max_element(shares[s]) / of_part)));
+        const auto share = metis_weights(shares[s], parts);
+        for (std::size_t c = 0; c < columns; ++c) weights[c * shares.size() + s] = share[c];
+        const auto of_part = static_cast<double>(std::accumulate(share.begin(), share.end(), std::int64_t{0})) / parts;
+        imbalances.push_back(static_cast<real_t>(1 + std::max(0.01, 0.5 * *std::ranges::max_element(share) / of_part)));
     }
     return partition(panel, std::move(weights), parts,
                      {METIS_PartGraphRecursive, static_cast<idx_t>(shares.size()), seed, 10, std::move(imbalances)});

@@ -40,11 +40,13 @@ class Work {
           distances_(zone_.distances(panel)),
           touch_(machine.touch * crowding(machine, decomposition.parts)),
           relief_(machine.relief) {
+        const double crowded = crowding(machine, decomposition.parts);
         const double watched = zone_.plies() ? machine.watch + renewals(scene, machine) * machine.search : 0;
         for (const auto& part : sizes)
-            everywhere_.push_back(crowding(machine, decomposition.parts) *
-                                  (static_cast<double>(part.columns) * plies_ * (machine.element + watched) +
-                                   static_cast<double>(part.nodes) * machine.node));
+            everywhere_.push_back(crowded * (static_cast<double>(part.columns) * plies_ * (machine.element + watched) +
+                                             static_cast<double>(part.nodes) * machine.node));
+        for (std::size_t c = 0; c < distances_.size(); ++c)
+            everywhere_[part_of(c)] += crowded * plies_ * zone_.pressing(distances_[c]) * machine.press;
     }
 
     [[nodiscard]] std::vector<double> at(int moment) const {
@@ -52,11 +54,13 @@ class Work {
         const double passed = (moment + 0.5) / moments, radius = zone_.radius(scene_.time.end * passed);
         const double touch = plies_ * touch_ * (1 - relief_ * passed);
         for (std::size_t c = 0; c < distances_.size(); ++c)
-            if (distances_[c] < radius) work[static_cast<std::size_t>(decomposition_.owner[c])] += touch;
+            if (distances_[c] < radius) work[part_of(c)] += touch;
         return work;
     }
 
   private:
+    [[nodiscard]] std::size_t part_of(std::size_t column) const { return static_cast<std::size_t>(decomposition_.owner[column]); }
+
     const scene::Scene& scene_;
     const Decomposition& decomposition_;
     double plies_;

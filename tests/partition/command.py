@@ -29,7 +29,7 @@ contact: {projectile: {}, plies: {}}
 time: {end: 40 us}
 output: {interval: 0, history: 1 us}
 """
-MACHINE = {"machine": "by hand", "ranks": 1, "pace_ns": 50, "crowding": 1, "element_ns": 100, "node_ns": 20, "watch_ns": 0, "touch_ns": 0, "relief": 0,
+MACHINE = {"machine": "by hand", "ranks": 1, "pace_ns": 50, "crowding": 1, "element_ns": 100, "node_ns": 20, "watch_ns": 0, "touch_ns": 0, "press_ns": 0, "relief": 0,
            "search_ns": 0, "searches_per_step": 0, "latency_us": 0, "bandwidth_GB_per_s": 1e9, "reduction_us": 0}
 
 
@@ -93,7 +93,7 @@ class Partition(unittest.TestCase):
         machine = json.loads((self.folder / "here.json").read_text())
         self.assertEqual(set(machine), set(MACHINE))
         self.assertEqual(machine["ranks"], 2)
-        self.assertTrue(all(machine[key] > 0 for key in ("element_ns", "node_ns", "touch_ns", "latency_us", "bandwidth_GB_per_s", "reduction_us")))
+        self.assertTrue(all(machine[key] > 0 for key in ("element_ns", "node_ns", "touch_ns", "press_ns", "latency_us", "bandwidth_GB_per_s", "reduction_us")))
         self.call("--ranks", "1,2,4", "--measure", *finer, "--machine", "here.json", "--out", "table.csv", processes=2)
         measured = [row["measured_seconds"] for row in self.rows("table.csv")]
         self.assertEqual([seconds != "" for seconds in measured], [True, True, False])

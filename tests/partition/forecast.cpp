@@ -20,6 +20,7 @@ partition::Machine machine() {
             .node = 10,
             .watch = 7,
             .touch = 1000,
+            .press = 300,
             .search = 5000,
             .searches_per_step = 0.001,
             .latency = 3,
@@ -84,8 +85,12 @@ TEST(ContactZone, GrowsWithTheTransverseWave) {
     EXPECT_EQ(zone.presence(3), 0);
     EXPECT_DOUBLE_EQ(zone.presence(0.4, 0.5), 0.75);
     EXPECT_DOUBLE_EQ(zone.presence(1.7, 0.5), 0.5 * (1 - 0.75 * 0.5));
+    EXPECT_EQ(zone.pressing(0), 1);
+    EXPECT_DOUBLE_EQ(zone.pressing(0.5), 0.75);
+    EXPECT_EQ(zone.pressing(1.01), 0);
     scene.contact.plies.reset();
     EXPECT_DOUBLE_EQ(partition::ContactZone(scene).radius(5), 0.5);
+    EXPECT_EQ(partition::ContactZone(scene).pressing(0), 0);
     scene.contact.projectile.reset();
     EXPECT_LT(partition::ContactZone(scene).radius(5), 0);
 }
@@ -95,8 +100,11 @@ TEST(Forecast, TakesTheMeanOfContactOverTheRun) {
     auto panel = row();
     panel.plies.resize(2);
     // Centres lie 0.71, 1.58, 2.55 and 3.54 m away: of the 16 moments the zone holds them at all but the first, at 9, at 2, and at none.
+    // The first is within the diameter of 1 m: it is pressed together.
     const auto f = partition::forecast(scene, panel, {1, {0, 0, 0, 0}}, 0, machine());
-    EXPECT_NEAR(f.seconds, 2 * (4 * (100 + 7 + 0.1 / std::sqrt(8) * 5000) + 1000 * (15 + 9 + 2) / 16.0) + 20 * 10, 1e-9);
+    EXPECT_NEAR(f.seconds,
+                2 * (4 * (100 + 7 + 0.1 / std::sqrt(8) * 5000) + 1000 * (15 + 9 + 2) / 16.0 + 300 * (1 - std::sqrt(0.5) / 2)) + 20 * 10,
+                1e-9);
 }
 
 }  // namespace

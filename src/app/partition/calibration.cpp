@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -30,18 +31,25 @@ using solver::Phase;
 
 [[noreturn]] void refuse(const std::string& what) { throw scene::InputError({"--calibrate: " + what}); }
 
-/// Elements within the zone of contact at the start of every step.
-std::vector<double> elements_in_zone(const scene::Scene& scene, const StepTimes& times) {
+/// What contact has to do in the steps of a run.
+struct ContactLoad {
+    double pressed = 0;           ///< elements that are pressed together, as much as they are
+    std::vector<double> in_zone;  ///< elements within the zone at the start of each step
+};
+
+ContactLoad contact_load(const scene::Scene& scene, const StepTimes& times) {
     const auto panel = mesh::make_panel(scene);
     const partition::ContactZone zone(scene);
     auto distances = zone.distances(panel);
     std::ranges::sort(distances);
-    std::vector<double> elements;
+    const auto plies = static_cast<double>(panel.plies.size());
+    ContactLoad load;
+    for (const double distance : distances) load.pressed += plies * zone.pressing(distance);
     for (const auto& step : times.steps) {
         const auto columns = std::ranges::lower_bound(distances, zone.radius(step.time)) - distances.begin();
-        elements.push_back(static_cast<double>(columns) * static_cast<double>(panel.plies.size()));
+        load.in_zone.push_back(static_cast<double>(columns) * plies);
     }
-    return elements;
+    return load;
 }
 
 /// Means over some steps of the time of contact, s, and of the elements in the zone.
@@ -58,25 +66,34 @@ Means means_of(const StepTimes& times, std::span<const double> in_zone, std::siz
     return means;
 }
 
-/// Least squares of contact, less what watching takes, over the elements in the zone with a weight that declines linearly over the run.
-void fit_touch(const scene::Scene& scene, const StepTimes& times, std::span<const double> in_zone, Machine& machine) {
-    double nn = 0, nd = 0, dd = 0, ny = 0, dy = 0, n_sum = 0, d_sum = 0, y_sum = 0;
-    for (std::size_t s = 0; s < in_zone.size(); ++s) {
-        const double n = in_zone[s], d = n * times.steps[s].time / scene.time.end;
-        const double y = times.steps[s].contact() - machine.watch * static_cast<double>(times.elements);
-        nn += n * n, nd += n * d, dd += d * d, ny += n * y, dy += d * y;
-        n_sum += n, d_sum += d, y_sum += y;
+/// Least squares of contact, less what watching takes, over the pressed elements and over those in the zone with a weight that declines
+/// linearly over the run.
+void fit_touch(const scene::Scene& scene, const StepTimes& times, const ContactLoad& load, Machine& machine) {
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    Vec3 with_contact = Vec3::Zero(), sums = Vec3::Zero();
+    double contact = 0;
+    for (std::size_t s = 0; s < times.steps.size(); ++s) {
+        const auto& step = times.steps[s];
+        const Vec3 counts(load.pressed, load.in_zone[s], -load.in_zone[s] * step.time / scene.time.end);
+        const double y = step.contact() - machine.watch * static_cast<double>(times.elements);
+        products += counts * counts.transpose();
+        with_contact += y * counts;
+        sums += counts;
+        contact += y;
     }
-    const double constant = ny * dd - dy * nd, decline = ny * nd - dy * nn;
-    machine.relief = constant > 0 ? std::clamp(decline / constant, 0.0, 1.0) : 0;
-    machine.touch = std::max(0.0, y_sum / (n_sum - machine.relief * d_sum));  // right in the mean over the run
+    const Vec3 fit = products.ldlt().solve(with_contact);
+    machine.press = std::max(0.0, fit[0]);
+    machine.relief = fit[1] > 0 ? std::clamp(fit[2] / fit[1], 0.0, 1.0) : 0;
+    // Right in the mean over the run also where a bound was met.
+    machine.touch = std::max(0.0, (contact - machine.press * sums[0]) / (sums[1] + machine.relief * sums[2]));
 }
 
 /// Over the first hundredth of the run plies are but watched.
 void fit_contact(const scene::Scene& scene, const StepTimes& times, Machine& machine) {
-    const auto in_zone = elements_in_zone(scene, times);
+    const auto load = contact_load(scene, times);
+    const auto steps = load.in_zone.size();
     // The first step allocates.
-    const auto early = means_of(times, in_zone, 1, 2 + in_zone.size() / 100), whole = means_of(times, in_zone, 0, in_zone.size());
+    const auto early = means_of(times, load.in_zone, 1, 2 + steps / 100), whole = means_of(times, load.in_zone, 0, steps);
     const auto elements = static_cast<double>(times.elements);
     if (!(whole.in_zone - early.in_zone > 0.05 * elements))
         refuse(fmt::format("contact reaches {:.2g} % of the elements in the mean over the run, allowed are at least 5 %: a later time.end",
@@ -84,7 +101,7 @@ void fit_contact(const scene::Scene& scene, const StepTimes& times, Machine& mac
     // The zone is small at first: a few rounds settle what is watched and what touches.
     for (int round = 0; round < 5; ++round) {
         machine.watch = std::max(0.0, (early.contact - machine.touch * early.in_zone) / elements);
-        fit_touch(scene, times, in_zone, machine);
+        fit_touch(scene, times, load, machine);
     }
 }
 

@@ -28,7 +28,7 @@ Decomposition decompose(const mesh::Panel& panel, std::span<const std::int32_t> 
 
 /// Partitions the column graph so that every part gets its share of several loads at once (METIS, recursive bisection, imbalance 1.01 or
 /// half of the heaviest column).
-/// @param shares of each load: what each column has of it, >= 0, small integers, some above 0
+/// @param shares of each load: what each column has of it, >= 0, some above 0
 /// @param seed   another one, another decomposition
 /// @throws as above
 Decomposition decompose(const mesh::Panel& panel, std::span<const std::vector<std::int32_t>> shares, int parts, int seed);

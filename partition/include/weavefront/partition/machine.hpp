@@ -16,6 +16,7 @@ struct Machine {
     double node = 0;               ///< integration, per node and step
     double watch = 0;              ///< per element and step for plies that may touch one another
     double touch = 0;              ///< more, per element and step, where they are near to touching
+    double press = 0;              ///< more still, per element and step, where the projectile presses them together
     double relief = 0;             ///< share of `touch` that is gone at the end of the run, when the projectile no longer pushes
     double search = 0;             ///< renewal of what may meet what, per element and renewal
     double searches_per_step = 0;  ///< renewals, for a projectile as fast as a hundredth of the wave in the yarns

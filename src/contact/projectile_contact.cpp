@@ -34,11 +34,11 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
         const auto& facet = surface.facets[index];
         const auto& shape = shapes_[static_cast<std::size_t>(facet.ply)];
         const auto box = Box::around(facet, x);
-        // Near enough for the side on which a point comes in to be noted before it does.
+        // Near enough for the side on which a point comes in to be noted before it does; before the first step nothing is known of the way.
         double fastest = 0;
         for (const auto node : facet.nodes)
             fastest = std::max(fastest, (v[static_cast<std::size_t>(node)] - projectile.velocity).squaredNorm());
-        const double margin = 0.01 * shape.radius() + 4 * dt * std::sqrt(fastest);
+        const double margin = dt > 0 ? 0.01 * shape.radius() + 4 * dt * std::sqrt(fastest) : shape.radius();
         const double z = projectile.position.z();
         const auto apart = [&](int d) {
             const double reach = shape.radius() + margin;

@@ -71,6 +71,31 @@ TEST(ProjectileContact, ASpherePushesByTheIntegralOfItsDepth) {
     EXPECT_LT(fine, 0.02 / 16 + 1e-4);
 }
 
+// Points just within the rim are nearer to the side than to the face once they are in; the side would not press on them.
+TEST(ProjectileContact, AFastFaceMeetsThePlyUpToItsRim) {
+    constexpr double fast = 1000, step = 1e-7, way = fast * step;
+    Plies plies;
+    plies.add(8, {.z = 0, .thickness = 0, .areal_density = 0.2}, flat(side, 0));
+    const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5.38e-3, .length = 10e-3};
+    /// Of the first contact, m2.
+    const auto area = [&](double gap) {
+        contact::ProjectileContact contact(cylinder, elastic, 0.03e-3, plies.surface, plies.x);
+        const Positions v(plies.x.size(), Vec3::Zero());
+        contact::ProjectileState state{{0.013e-3, 0.021e-3, -gap}, {0, 0, fast}};
+        contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
+        std::vector<contact::PairForce> forces;
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, 0, forces);
+        while (forces.empty()) {
+            state.position.z() += way;
+            contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, step, forces);
+        }
+        double force = 0;
+        for (const auto& pair : forces) force += pair.total.z();
+        return force / (k * state.position.z());
+    };
+    for (const double gap : {0.06e-3, 0.15e-3, 0.35e-3}) EXPECT_NEAR(area(gap) / area(0), 1, 1e-9) << gap;
+}
+
 /// The force on a ply that leans by an angle about y under the flat face, over its size.
 Vec3 push_on_leaning_ply(std::optional<double> spacing, double angle) {
     Plies plies;

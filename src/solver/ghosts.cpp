@@ -120,6 +120,8 @@ ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double r
     return parallel::all_to_all(comm, outgoing);
 }
 
+bool is_on_rim(const contact::Surface& surface, std::size_t facet) { return !surface.on_rim.empty() && surface.on_rim[facet] != 0; }
+
 /// Facets of this rank, by the rank that needs them, each list column by column.
 struct Choice {
     ByRank<GhostFacet> all, needed;  ///< needed: until the next renewal
@@ -141,7 +143,7 @@ Choice choose(const parallel::Communicator& comm, const contact::Whereabouts& ex
             for (auto f = column; f < static_cast<std::size_t>(surface.owned); f += columns.size()) {
                 const auto footprint = expected.of(surface.facets[f]);
                 if (!surface.alive[f] || !bins.near(footprint, reach)) continue;
-                const GhostFacet facet{static_cast<std::int32_t>(f), !surface.on_rim.empty() && surface.on_rim[f] != 0};
+                const GhostFacet facet{static_cast<std::int32_t>(f), is_on_rim(surface, f)};
                 choice.all[r].push_back(facet);
                 if (bins.near(footprint, reach - spare)) choice.needed[r].push_back(facet);
             }
@@ -343,7 +345,7 @@ bool Ghosts::suffice(std::span<const GhostFacet> needed, std::span<const GhostFa
     const auto place = [&](const GhostFacet& ghost) { return std::pair(ghost.facet % columns, ghost.facet); };
     return std::ranges::includes(known, needed, {}, place, place) && std::ranges::all_of(known, [&](const GhostFacet& ghost) {
                const auto f = static_cast<std::size_t>(ghost.facet);
-               return surface.alive[f] && ghost.on_rim == (!surface.on_rim.empty() && surface.on_rim[f] != 0);
+               return surface.alive[f] && ghost.on_rim == is_on_rim(surface, f);
            });
 }
 

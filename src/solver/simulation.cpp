@@ -23,8 +23,9 @@ constexpr double skin_in_edges = 0.75;
 // Footprints of facets may approach by the skin: each of a pair by half of it, less this part of all, kept for the step that is under way.
 constexpr double kept_of_skin = 0.125;
 
-// Ghosts are taken in from so much farther than they matter until the next search. At 267 m/s they last for about five searches then, for
-// 3 % more of them.
+// Ghosts are taken in from so much farther than they matter until the next search. In the 267 m/s example they last for about five searches
+// then, for 3 % more of them; where the mesh is about as fine as the reach they may be a layer of columns more, three instead of two at 0.5
+// mm.
 constexpr double ghost_spare_in_edges = 0.5;
 
 // Nodes are expected anywhere on the way that they would take in so many steps.

@@ -13,7 +13,7 @@ FrameContact::FrameContact(const scene::Frame& frame, const scene::ContactLaw& l
 }
 
 void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                            std::vector<PairForce>& forces) {
+                            double sliding_share, ContactForces& forces) {
     for (std::int32_t index = 0; index < surface.owned; ++index) {
         const auto f = static_cast<std::size_t>(index);
         const auto& facet = surface.facets[f];
@@ -23,12 +23,12 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
             forget_points(memories_, index);
             continue;
         }
-        const RigidPair pair{facet, surface.areas[f], quadrature_.rule(rules_[f]), laws_[static_cast<std::size_t>(facet.ply)],
-                             Master::frame};
+        const auto ply = static_cast<std::size_t>(facet.ply);
+        const RigidPair pair{facet,         surface.areas[f], quadrature_.rule(rules_[f]), laws_[ply], surface.plies[ply].thickness,
+                             Master::frame, {0, 0, -1}};
         const auto of_ply = [&] { return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x); };
         const auto depth = [&](const Vec3& at, const Point&) { return shape.depth(at); };
-        const auto force = press(pair, x, v, dt, memories_.take(index), depth, of_ply);
-        if (force.total != Vec3::Zero()) forces.push_back(force);
+        press(pair, x, v, dt, sliding_share, memories_.take(index), depth, of_ply, forces);
     }
 }
 

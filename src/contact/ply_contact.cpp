@@ -30,13 +30,30 @@ std::array<Lanes, 4> shape_functions(const RayHits& hits) {
     return N;
 }
 
-/// Rates at which the points approach what their lines meet.
-Lanes closing_rates(const VectorLanes& slave, const VectorLanes& master, const VectorLanes& direction) {
-    Lanes rates;
-    for (std::size_t i = 0; i < batch_width; ++i)
-        rates[i] = (slave.x[i] - master.x[i]) * direction.x[i] + (slave.y[i] - master.y[i]) * direction.y[i] +
-                   (slave.z[i] - master.z[i]) * direction.z[i];
-    return rates;
+// A distance along a line changes by no more than this times the way that one side moves past the other: lines meet facets at up to 60 deg.
+constexpr double stretch_along_line = 2;
+
+/// How the points have moved towards what their lines meet.
+RelativeMotionLanes relative_motion(const VectorLanes& slave, const VectorLanes& master, const VectorLanes& direction) {
+    RelativeMotionLanes motion;
+    for (std::size_t i = 0; i < batch_width; ++i) {
+        const double x = slave.x[i] - master.x[i], y = slave.y[i] - master.y[i], z = slave.z[i] - master.z[i];
+        motion.closing[i] = x * direction.x[i] + y * direction.y[i] + z * direction.z[i];
+        motion.most[i] = stretch_along_line * std::sqrt(x * x + y * y + z * z);
+    }
+    return motion;
+}
+
+/// By how much the points that press have opened, in the mean over their area, m.
+double mean_opening(const QuadratureRule& rule, const FacetPoints& points) {
+    double sum = 0, shares = 0;
+    for (std::size_t b = 0; b < rule.size(); ++b)
+        for (std::size_t i = 0; i < rule[b].count; ++i) {
+            if (!(points[b].overlap[i] > points[b].ignored[i])) continue;
+            sum += rule[b].share[i] * points[b].opened[i];
+            shares += rule[b].share[i];
+        }
+    return shares > 0 ? sum / shares : 0;
 }
 
 /// The first points of a batch, as many as it has.
@@ -142,7 +159,7 @@ void PlyContact::look_around(std::int32_t f, Watch& watch, std::int32_t group, c
 
 // A point takes what it meets first in the order of near facets. Nearly always that is the first of all candidates: the others are looked
 // at where some point misses it.
-void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& now, std::vector<PairForce>& forces) {
+void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& now, ContactForces& forces) {
     const auto& facet = now.surface.facets[static_cast<std::size_t>(f)];
     const auto& rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]);
     const auto corners = corners_of(facet.nodes, now.x);
@@ -154,7 +171,11 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
     near_.add(complete ? candidates : FacetRuns({&only_first, 1}), lines, now.surface, touching_, now.x);
     pair_of_.assign(near_.size(), -1);
     auto& reserve = reserves_[static_cast<std::size_t>(f)];
-    Slave slave{.facet = f, .velocities = corners_of(facet.nodes, now.v), .points = memory_.recall(f), .reserve = reserve};
+    Slave slave{.facet = f,
+                .velocities = corners_of(facet.nodes, now.v),
+                .points = memory_.recall(f),
+                .around = {.reserve = reserve, .opened = 0, .sliding_share = now.sliding_share}};
+    if (memory_.holds(f)) slave.around.opened = mean_opening(rule, slave.points);
     for (std::size_t b = 0; b < rule.size(); ++b) {
         auto& points = slave.points[b];
         auto open = all_of(rule[b]);
@@ -168,9 +189,10 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
             press(slave, rule[b], lines.rays[b], points, k, open, now, forces);
         }
         for (std::size_t i = 0; i < batch_width; ++i)
-            if (open[i]) points.present[i] = points.largest[i] = 0;
+            if (open[i]) points.overlap[i] = points.ignored[i] = points.opened[i] = 0;
     }
-    reserve += slave.gained;
+    reserve += slave.sum.gained;
+    if (slave.sum.sliding.is_any()) forces.sliding.push_back(slave.sum.sliding.times(now.surface.areas[static_cast<std::size_t>(f)]));
     if (slave.touching)
         memory_.keep(f, slave.points);
     else
@@ -178,7 +200,7 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
 }
 
 void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near,
-                       LaneMask& open, const Now& now, std::vector<PairForce>& forces) {
+                       LaneMask& open, const Now& now, ContactForces& forces) {
     const auto& facet = now.surface.facets[static_cast<std::size_t>(slave.facet)];
     const auto& other = now.surface.facets[static_cast<std::size_t>(near_[near])];
     const auto hits = meet(rays, corners_of(other.nodes, now.x));
@@ -190,31 +212,30 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& r
         const bool meets = open[i] & hits.hit[i] & (hits.distance[i] >= -depth);
         open[i] = open[i] & !meets;
         // A point that is already beyond the other mid-surface when first seen went through a hole: it is not pushed back.
-        met[i] = meets & ((points.present[i] != 0) | (overlap[i] <= reach));
-        matters[i] = met[i] & ((points.present[i] != 0) | (overlap[i] > 0));
+        met[i] = meets & ((points.overlap[i] != 0) | (overlap[i] <= reach));
+        matters[i] = met[i] & ((points.overlap[i] != 0) | (overlap[i] > 0));
     }
     if (!any(matters)) return;
     const auto N = shape_functions(hits);
-    const auto closing =
-        closing_rates(interpolate(slave.velocities, batch.N), interpolate(corners_of(other.nodes, now.v), N), rays.direction);
-    const auto pressure =
-        law(facet.ply, other.ply).advance(points, met, overlap, closing, now.dt, batch.share, slave.reserve, slave.gained);
+    const auto motion =
+        relative_motion(interpolate(slave.velocities, batch.N), interpolate(corners_of(other.nodes, now.v), N), rays.direction);
+    const auto pressure = law(facet.ply, other.ply).advance(points, met, overlap, motion, now.dt, batch.share, slave.around, slave.sum);
     const double area = now.surface.areas[static_cast<std::size_t>(slave.facet)];
     for (std::size_t i = 0; i < batch_width; ++i) {
-        slave.touching = slave.touching || (met[i] && points.present[i] > 0);
+        slave.touching = slave.touching || (met[i] && points.overlap[i] > 0);
         if (!(pressure[i] > 0)) continue;
         auto& pair = pair_of_[near];
         if (pair < 0) {
-            pair = static_cast<std::int32_t>(forces.size());
-            forces.emplace_back(facet.nodes, other.nodes);
+            pair = static_cast<std::int32_t>(forces.pairs.size());
+            forces.pairs.emplace_back(facet.nodes, other.nodes);
         }
         const double size = -pressure[i] * area * batch.share[i];
         const Vec3 force(size * rays.direction.x[i], size * rays.direction.y[i], size * rays.direction.z[i]);
-        forces[static_cast<std::size_t>(pair)].add(force, batch.N, N, i);
+        forces.pairs[static_cast<std::size_t>(pair)].add(force, batch.N, N, i);
     }
 }
 
-void PlyContact::evaluate_group(std::int32_t g, const Now& now, std::vector<PairForce>& forces) {
+void PlyContact::evaluate_group(std::int32_t g, const Now& now, ContactForces& forces) {
     const double so_far = approach_.so_far(g);
     auto& due = due_[static_cast<std::size_t>(g)];
     if (so_far < due) return;
@@ -236,16 +257,17 @@ void PlyContact::evaluate_group(std::int32_t g, const Now& now, std::vector<Pair
 }
 
 void PlyContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                          std::vector<PairForce>& forces) {
+                          double sliding_share, ContactForces& forces) {
     approach_.advance(v, dt);
-    for (std::int32_t g = 0; g < approach_.groups(); ++g) evaluate_group(g, {surface, normals, x, v, dt}, forces);
+    for (std::int32_t g = 0; g < approach_.groups(); ++g) evaluate_group(g, {surface, normals, x, v, dt, sliding_share}, forces);
 }
 
 void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {
     record.insert(record.end(), {reserves_[static_cast<std::size_t>(facet)], memory_.holds(facet) ? 1.0 : 0.0});
     if (!memory_.holds(facet)) return;
     for (const auto& points : memory_.recall(facet))
-        for (const auto* lanes : {&points.present, &points.largest}) record.insert(record.end(), lanes->of, lanes->of + batch_width);
+        for (const auto* lanes : {&points.overlap, &points.ignored, &points.opened})
+            record.insert(record.end(), lanes->of, lanes->of + batch_width);
 }
 
 std::span<const double> PlyContact::restore(std::int32_t facet, std::span<const double> record) {
@@ -254,7 +276,7 @@ std::span<const double> PlyContact::restore(std::int32_t facet, std::span<const 
     if (*next++ == 0) return {next, record.end()};
     FacetPoints all;
     for (auto& points : all)
-        for (auto* lanes : {&points.present, &points.largest})
+        for (auto* lanes : {&points.overlap, &points.ignored, &points.opened})
             for (auto& value : lanes->of) value = *next++;
     memory_.keep(facet, all);
     return {next, record.end()};

@@ -5,6 +5,20 @@
 
 namespace weavefront::contact {
 
+namespace {
+
+// How far around the projectile facets are followed before they touch it: farther than fabric slides while contact unloads.
+constexpr double followed_in_radii = 1;
+
+/// Whether no point of a box is within a margin of the projectile.
+bool is_apart(const ProjectileShape& shape, const ProjectileState& projectile, const Box& box, double margin) {
+    const Vec3 low(-shape.radius(), -shape.radius(), shape.rear()), high(shape.radius(), shape.radius(), shape.front());
+    const Box around{projectile.position + low - Vec3::Constant(margin), projectile.position + high + Vec3::Constant(margin)};
+    return !box.meets(around);
+}
+
+}  // namespace
+
 ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
                                      const Surface& surface, std::span<const Vec3> x)
     : quadrature_(spacing), rules_(rules_for(quadrature_, surface, x)), memories_(surface.owned) {
@@ -22,42 +36,47 @@ void ProjectileContact::update_candidates(const Surface& surface, const Whereabo
             memories_.forget(f);
             continue;
         }
-        if (way.near(expected.of(facet), shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin)) candidates_.push_back(f);
+        const double reach = (1 + followed_in_radii) * shapes_[static_cast<std::size_t>(facet.ply)].radius();
+        if (way.near(expected.of(facet), reach + skin)) candidates_.push_back(f);
     }
 }
 
 void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v,
-                                 const ProjectileState& projectile, double dt, std::vector<PairForce>& forces) {
+                                 const ProjectileState& projectile, double dt, double sliding_share, ContactForces& forces) {
     for (const auto f : candidates_) {
         const auto index = static_cast<std::size_t>(f);
         if (!surface.alive[index]) continue;
         const auto& facet = surface.facets[index];
-        const auto& shape = shapes_[static_cast<std::size_t>(facet.ply)];
+        const auto ply = static_cast<std::size_t>(facet.ply);
+        const auto& shape = shapes_[ply];
         const auto box = Box::around(facet, x);
+        const Vec3 middle = projectile.position + Vec3(0, 0, (shape.front() + shape.rear()) / 2);
+        const RigidPair pair{.facet = facet,
+                             .area = surface.areas[index],
+                             .rule = quadrature_.rule(rules_[index]),
+                             .law = laws_[ply],
+                             .thickness = surface.plies[ply].thickness,
+                             .body = Master::projectile,
+                             .away = (box.low + box.high) / 2 - middle,
+                             .body_velocity = projectile.velocity};
         // Near enough for the side on which a point comes in to be noted before it does; before the first step nothing is known of the way.
         double fastest = 0;
         for (const auto node : facet.nodes)
             fastest = std::max(fastest, (v[static_cast<std::size_t>(node)] - projectile.velocity).squaredNorm());
         const double margin = dt > 0 ? 0.01 * shape.radius() + 4 * dt * std::sqrt(fastest) : shape.radius();
-        const double z = projectile.position.z();
-        const auto apart = [&](int d) {
-            const double reach = shape.radius() + margin;
-            return box.low[d] > projectile.position[d] + reach || box.high[d] < projectile.position[d] - reach;
-        };
-        if (apart(0) || apart(1) || box.low.z() > z + shape.front() + margin || box.high.z() < z + shape.rear() - margin) {
-            forget_points(memories_, f);
+        if (is_apart(shape, projectile, box, margin)) {
+            if (pair.law.is_elastic() || is_apart(shape, projectile, box, followed_in_radii * shape.radius())) {
+                forget_points(memories_, f);
+            } else {
+                auto& memory = memories_.take(f);
+                memory.points = {};
+                follow_opening(pair, x, v, dt, memory);
+            }
             continue;
         }
-        const RigidPair pair{facet,
-                             surface.areas[index],
-                             quadrature_.rule(rules_[index]),
-                             laws_[static_cast<std::size_t>(facet.ply)],
-                             Master::projectile,
-                             projectile.velocity};
         const auto depth = [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); };
         const auto of_ply = [&] { return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x); };
-        const auto force = press(pair, x, v, dt, memories_.take(f), depth, of_ply);
-        if (force.total != Vec3::Zero()) forces.push_back(force);
+        press(pair, x, v, dt, sliding_share, memories_.take(f), depth, of_ply, forces);
     }
 }
 

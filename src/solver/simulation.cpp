@@ -105,7 +105,7 @@ void Simulation::redistribute(const partition::Decomposition& decomposition) {
         model_.exchange.use(comm_, mailboxes_);
         for (const auto& group : model_.groups) group->set_time_step(dt_);
         step_bound_.watch(model_);
-        pairs_.clear();
+        contact_.clear();
         list_supports();
     }
     update_candidates();
@@ -150,20 +150,35 @@ void Simulation::evaluate_contact() {
     const Timed timed(seconds_, Phase::contact);
     const auto& nodes = model_.nodes;
     auto& normals = model_.normals;
-    pairs_.clear();
+    contact_.clear();
     on_projectile_ = {};
     normals.new_positions();
+    const auto share = [&](ContactKind kind) { return sliding_[kind].share(); };
     if (model_.projectile_contact)
-        model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile, last_dt_, pairs_);
-    if (model_.ply_contact) model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, pairs_);
-    if (model_.frame_contact) model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, pairs_);
-    for (const auto& pair : pairs_) model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
+        model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile, last_dt_, share(of_projectile),
+                                            contact_);
+    book_sliding(of_projectile);
+    if (model_.ply_contact) model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_plies), contact_);
+    book_sliding(of_plies);
+    if (model_.frame_contact)
+        model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_frame), contact_);
+    book_sliding(of_frame);
+    for (const auto& pair : contact_.pairs) model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
     count_contact_work(last_dt_);
+}
+
+void Simulation::book_sliding(ContactKind kind) {
+    sliding_released_[kind] = sliding_wanted_[kind] = 0;
+    for (const auto& facet : contact_.sliding) {
+        add_energy(sliding_released_[kind], facet.released - facet.taken);
+        add_energy(sliding_wanted_[kind], facet.wanted);
+    }
+    contact_.sliding.clear();
 }
 
 void Simulation::count_contact_work(double dt) {
     const auto& v = model_.nodes.v;
-    for (const auto& pair : pairs_) {
+    for (const auto& pair : contact_.pairs) {
         double power = pair.kind == contact::Master::projectile ? -pair.total.dot(model_.projectile->velocity) : 0;
         for (std::size_t a = 0; a < 4; ++a) {
             power += pair.on_slave[a].dot(v[static_cast<std::size_t>(pair.slave[a])]);
@@ -178,11 +193,25 @@ void Simulation::sum_over_ranks() {
     model_.exchange.start(comm_, model_.nodes.force);
     const bool faulty = model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || faulty_energy_;
     const bool stiffened = std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
-    enum Sum : std::size_t { x, y, z, eroded, left, stiff, fault, size };
+    enum Sum : std::size_t {
+        x,
+        y,
+        z,
+        eroded,
+        left,
+        stiff,
+        fault,
+        released,
+        wanted = released + contact_kinds,
+        size = wanted + contact_kinds
+    };
     std::array<std::int64_t, size> sums{
         on_projectile_[0],   on_projectile_[1], on_projectile_[2], static_cast<std::int64_t>(just_eroded_.size()),
         moved_far() ? 1 : 0, stiffened ? 1 : 0, faulty ? 1 : 0};
+    std::ranges::copy(sliding_released_, sums.begin() + released);
+    std::ranges::copy(sliding_wanted_, sums.begin() + wanted);
     comm_.sum(sums);
+    for (std::size_t kind = 0; kind < contact_kinds; ++kind) sliding_[kind].book(sums[released + kind], sums[wanted + kind]);
     model_.exchange.finish(model_.nodes.force);
     projectile_force_ = whole_force({sums[x], sums[y], sums[z]});
     torn_ = torn_ || sums[eroded] > 0;
@@ -213,7 +242,7 @@ Vec3 Simulation::whole_force(const FixedVector& on_part) const {
 
 void Simulation::adapt_time_step() {
     const Timed timed(seconds_, Phase::elements);
-    const double omega_squared = step_bound_.frequency_squared(model_, pairs_, comm_);
+    const double omega_squared = step_bound_.frequency_squared(model_, contact_.pairs, comm_);
     step_bound_.watch(model_);
     next_check_ = steps_ + step_bound_.steps_to_next();
     const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);

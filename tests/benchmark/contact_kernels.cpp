@@ -47,7 +47,9 @@ void penalty(::benchmark::State& state) {
         depth += direction * dt;
         double gained = 0;
         for (std::size_t n = 0; n < batch; ++n) {
-            const auto pressed = law.advance(points[n], speeds[n] * depth, direction * speeds[n], dt, 1.0 / batch, reserve);
+            const double closing = direction * speeds[n];
+            const auto pressed =
+                law.advance(points[n], speeds[n] * depth, {closing, closing, speeds[n]}, dt, 1.0 / batch, {.reserve = reserve});
             pressure += pressed.pressure, gained += pressed.gained;
         }
         reserve += gained;

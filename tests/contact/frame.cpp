@@ -68,12 +68,12 @@ TEST(FrameContact, HoldsTheRestingPlyByStiffnessDepthAndAreaAndLetsItLiftOff) {
     const scene::Frame frame{.half_opening = {std::nullopt, opening / 2}, .edge_radius = 0};
     contact::FrameContact contact(frame, {.stiffness = k, .unloading = 1, .damping = 0}, 0.1e-3, plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3(0, 0, speed));
-    std::vector<contact::PairForce> forces;
-    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, forces);
-    EXPECT_TRUE(forces.empty()) << "it only rests at the start";
+    contact::ContactForces forces;
+    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, 1, forces);
+    EXPECT_TRUE(forces.pairs.empty()) << "it only rests at the start";
     for (auto& x : plies.x) x.z() += speed * dt;
-    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, forces);
-    const auto sum = assemble(forces, plies.x);
+    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, 1, forces);
+    const auto sum = assemble(forces.pairs, plies.x);
     const double held = side * (side - opening);
     // the rounded rim of the inflated bars, half a thickness wide on both sides, holds less
     EXPECT_NEAR(sum.on_slaves.z() / (-k * speed * dt * held), 1, 2 * side * thickness / 2 / held + 0.02);
@@ -81,8 +81,8 @@ TEST(FrameContact, HoldsTheRestingPlyByStiffnessDepthAndAreaAndLetsItLiftOff) {
     EXPECT_NEAR(sum.on_slaves.y(), 0, 1e-9 * std::abs(sum.on_slaves.z()));
     for (auto& x : plies.x) x.z() -= 2 * speed * dt;
     forces.clear();
-    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, forces);
-    EXPECT_TRUE(forces.empty()) << "fabric may lift off";
+    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, 1, forces);
+    EXPECT_TRUE(forces.pairs.empty()) << "fabric may lift off";
 }
 
 }  // namespace

@@ -18,9 +18,12 @@ constexpr double k = 5e12, u = 10, G = 1e-4;
 
 PenaltyLaw plain() { return {{.stiffness = k, .unloading = u, .damping = 0}, 0.2}; }
 
+/// Sides that move along the force only.
+contact::RelativeMotion straight(double closing) { return {closing, closing, std::abs(closing)}; }
+
 /// A facet of one point that has no energy to spend on healing.
 double advance(const PenaltyLaw& law, Penetration& point, double geometric, double closing, double dt) {
-    return law.advance(point, geometric, closing, dt, 1, 0).pressure;
+    return law.advance(point, geometric, straight(closing), dt, 1, {}).pressure;
 }
 
 /// Moves a point from its penetration to `to` in `steps` equal steps of 1 s; returns the last pressure and adds to the work done on it.
@@ -71,17 +74,60 @@ TEST(PenaltyLaw, IsNeverTensile) {
         const double closing = 100 * one(random);
         const double pressure = advance(law, point, G * one(random), closing, 1e-7);
         ASSERT_GE(pressure, 0);
-        ASSERT_LE(point.present, G);
+        ASSERT_GE(point.present(), 0);
+        ASSERT_LE(point.present(), G);
     }
 }
 
-TEST(PenaltyLaw, AnOverlapThatWasNotMadeByMotionPushesNothing) {
+TEST(PenaltyLaw, IgnoresAnOverlapThatMotionDidNotBringAbout) {
     const auto law = plain();
     Penetration point;
-    EXPECT_EQ(advance(law, point, G, 0, 1), 0);  // found late
-    EXPECT_EQ(advance(law, point, G, -1, 1), 0);
-    EXPECT_NEAR(advance(law, point, G, G / 4, 1), k * G / 4, 1e-12 * k * G);                             // but resists going on
-    EXPECT_NEAR(advance(law, point, G / 8, 0, 1), k * std::max(0.0, G / 4 - u * G / 8), 1e-12 * k * G);  // and follows the geometry back
+    double g = G;
+    EXPECT_EQ(advance(law, point, G, 0, 1), 0);                               // found late
+    EXPECT_NEAR(move(law, point, g, 1.25 * G, 5), k * G / 4, 1e-9 * k * G);   // but it resists going on
+    EXPECT_EQ(move(law, point, g, 0.75 * G, 5), 0);                           // nothing is pushed out
+    EXPECT_NEAR(move(law, point, g, 0.85 * G, 5), k * G / 10, 1e-9 * k * G);  // it is ignored no farther than the sides stay in
+    EXPECT_NEAR(advance(law, point, 2 * G, G / 100, 1), k * (G / 10 + G / 100), 1e-9 * k * G);  // a facet has changed
+    EXPECT_EQ(advance(law, point, 0.85 * G, -2 * G, 1), 0);
+}
+
+/// Motion of a side that slides while the overlap changes.
+contact::RelativeMotion sliding(double rate) { return {0, 0, rate}; }
+
+TEST(PenaltyLaw, SlidingChangesThePressureAlongTheLoadingSlopeWhateverTheOpening) {
+    const auto law = plain();
+    Penetration point;
+    double g = 0;
+    move(law, point, g, G, 10);
+    const double opened = 0.05 * G, pressure = move(law, point, g, G - opened, 10);
+    const auto slide = [&](double to) {
+        const auto pressed = law.advance(point, to, sliding(G), 1, 1, {});
+        return pressed;
+    };
+    const auto away = slide(0.8 * G), back = slide(G - opened);
+    EXPECT_NEAR(away.pressure, pressure - k * (G - opened - 0.8 * G), 1e-9 * k * G);
+    EXPECT_NEAR(back.pressure, pressure, 1e-9 * k * G);
+    // What it gives up on the way is what it takes on the way back: p^2/(2 u k) of both.
+    const double energy = (pressure * pressure - away.pressure * away.pressure) / (2 * u * k);
+    EXPECT_NEAR(away.sliding.released, energy, 1e-9 * energy);
+    EXPECT_NEAR(back.sliding.taken, energy, 1e-9 * energy);
+    EXPECT_EQ(away.sliding.taken, 0);
+    EXPECT_EQ(back.sliding.released, 0);
+    // A point that sliding brings in takes up the opening of the others.
+    Penetration fresh;
+    EXPECT_NEAR(law.advance(fresh, G - opened, sliding(G), 1, 1, {.reserve = 0, .opened = opened}).pressure, pressure, 1e-9 * k * G);
+}
+
+TEST(PenaltyLaw, TakesBySlidingOnlyTheShareThatItMay) {
+    const auto law = plain();
+    for (const double share : {0.0, 0.25, 1.0}) {
+        Penetration point;
+        const auto pressed = law.advance(point, G, sliding(G), 1, 0.5, {.reserve = 0, .opened = 0, .sliding_share = share});
+        EXPECT_NEAR(pressed.pressure, share * k * G, 1e-9 * k * G);
+        EXPECT_NEAR(pressed.sliding.wanted, 0.5 * k * G * G / (2 * u), 1e-9 * k * G * G);
+        EXPECT_NEAR(pressed.sliding.taken, 0.5 * share * share * k * G * G / (2 * u), 1e-9 * k * G * G);
+        EXPECT_NEAR(point.ignored, (1 - share) * G, 1e-12 * G);
+    }
 }
 
 TEST(PenaltyLaw, AClosedCycleTakesTheAreaBetweenTheLines) {
@@ -117,8 +163,9 @@ struct Overlap {
     double run(const PenaltyLaw& law, double time, double dt) {
         double fastest = 0;
         for (double t = 0; t < time; t += dt) {
-            const auto [pressure, gained] = law.advance(point, g, closing, dt, 1, reserve);
-            reserve += gained;
+            const auto pressed = law.advance(point, g, straight(closing), dt, 1, {.reserve = reserve});
+            const double pressure = pressed.pressure;
+            reserve += pressed.gained;
             closing -= pressure / mass * dt;
             g += closing * dt;
             fastest = std::max(fastest, std::abs(closing));
@@ -163,11 +210,11 @@ TEST(PenaltyLaw, TakesMoreThanItGivesWhateverTheGeometryDoes) {
                 if (n % 50 == 0) closing = 0.01 * G * one(random) / dt;
                 if (n % 500 == 0) g += G * one(random);  // an element disappears, a facet changes
                 g += closing * dt;
-                const auto [next, gained] = law.advance(point, g, closing, dt, 1, reserve);
-                work += (pressure + next) / 2 * closing * dt;
-                pressure = next;
-                reserve += gained;
-                healed += std::max(-gained, 0.0);
+                const auto pressed = law.advance(point, g, straight(closing), dt, 1, {.reserve = reserve, .opened = 0, .sliding_share = 0});
+                work += (pressure + pressed.pressure) / 2 * closing * dt;
+                pressure = pressed.pressure;
+                reserve += pressed.gained;
+                healed += std::max(-pressed.gained, 0.0);
                 const double step = u * k * 0.01 * G * 0.01 * G;  // what a step over the corner of a line may give
                 ASSERT_GE(reserve, -step);
                 ASSERT_GE(work, -step) << path << ' ' << n;
@@ -215,33 +262,41 @@ TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
     contact::PenetrationLanes points;
     std::array<Penetration, contact::batch_width> one_by_one{};
     double reserve = 0;
-    int healed = 0;
+    int slid = 0;
     for (int step = 0; step < 300; ++step) {
-        contact::Lanes geometric, closing, share;
+        contact::Lanes geometric, share;
+        contact::RelativeMotionLanes motion;
         contact::LaneMask met;
+        const contact::Surroundings around{reserve, random_number(0, G / 10), random_number(0, 1)};
         for (std::size_t i = 0; i < contact::batch_width; ++i) {
-            geometric[i] = random_number(-G / 4, G), closing[i] = random_number(-50, 50), share[i] = 0.125;
+            geometric[i] = random_number(-G / 4, G), motion.closing[i] = random_number(-50, 50), share[i] = 0.125;
+            motion.most[i] = random_number(0, 200);
             met[i] = random_number(0, 1) < 0.8;
         }
-        double gained = 0, expected = 0;
-        const auto pressure = law.advance(points, met, geometric, closing, 1e-7, share, reserve, gained);
+        contact::Pressed sum, expected;
+        const auto pressure = law.advance(points, met, geometric, motion, 1e-7, share, around, sum);
         for (std::size_t i = 0; i < contact::batch_width; ++i) {
             if (met[i]) {
-                const double before = one_by_one[i].present + closing[i] * 1e-7;
-                const auto pressed = law.advance(one_by_one[i], geometric[i], closing[i], 1e-7, share[i], reserve);
+                const contact::RelativeMotion of_point{motion.closing[i], motion.closing[i], motion.most[i]};
+                const auto pressed = law.advance(one_by_one[i], geometric[i], of_point, 1e-7, share[i], around);
                 ASSERT_EQ(pressure[i], pressed.pressure);
-                expected += pressed.gained;
-                healed += one_by_one[i].present > std::max(before, 0.0);
+                expected.gained += pressed.gained;
+                expected.sliding.add(pressed.sliding);
             } else {
                 ASSERT_EQ(pressure[i], 0);
             }
-            ASSERT_EQ(points.present[i], one_by_one[i].present);
-            ASSERT_EQ(points.largest[i], one_by_one[i].largest);
+            ASSERT_EQ(points.overlap[i], one_by_one[i].overlap);
+            ASSERT_EQ(points.ignored[i], one_by_one[i].ignored);
+            ASSERT_EQ(points.opened[i], one_by_one[i].opened);
         }
-        ASSERT_EQ(gained, expected);
-        reserve += gained;
+        ASSERT_EQ(sum.gained, expected.gained);
+        ASSERT_EQ(sum.sliding.released, expected.sliding.released);
+        ASSERT_EQ(sum.sliding.taken, expected.sliding.taken);
+        ASSERT_EQ(sum.sliding.wanted, expected.sliding.wanted);
+        slid += sum.sliding.taken > 0;
+        reserve += sum.gained;
     }
-    EXPECT_GT(healed, 0);
+    EXPECT_GT(slid, 0);
 }
 
 // What the points of a facet that is seen mirrored or turned do: the same, in another order.
@@ -251,26 +306,28 @@ TEST(PenaltyLaw, PointsOfAFacetHealAlikeInAnyOrder) {
         contact::PenetrationLanes points;
         double reserve = 1e-3 * k * G * G;  // for a few points
         for (int step = 0; step < 1000; ++step) {
-            contact::Lanes geometric, closing{}, share;
+            contact::Lanes geometric, share;
             contact::LaneMask met;
             met.fill(true);
             for (std::size_t i = 0; i < contact::batch_width; ++i) {
                 const std::size_t place = backwards ? contact::batch_width - 1 - i : i;
                 geometric[place] = G * static_cast<double>(1 + i), share[place] = 0.125;
             }
-            double gained = 0;
-            const auto pressure = law.advance(points, met, geometric, closing, 1e-7, share, reserve, gained);
-            EXPECT_GE(reserve += gained, -1e-12 * k * G * G);
+            contact::Pressed sum;
+            const auto pressure = law.advance(points, met, geometric, {}, 1e-7, share, {.reserve = reserve}, sum);
+            EXPECT_GE(reserve += sum.gained, -1e-12 * k * G * G);
             static_cast<void>(pressure);
         }
-        if (backwards) std::reverse(points.present.of, points.present.of + contact::batch_width);
-        return points;
+        std::array<double, contact::batch_width> present;
+        for (std::size_t i = 0; i < contact::batch_width; ++i) present[i] = points.overlap[i] - points.ignored[i];
+        if (backwards) std::ranges::reverse(present);
+        return present;
     };
     const auto one = heal(false), other = heal(true);
     for (std::size_t i = 0; i < contact::batch_width; ++i) {
-        EXPECT_GT(one.present[i], 0) << i;
-        EXPECT_LT(one.present[i], G * static_cast<double>(1 + i)) << i;
-        EXPECT_NEAR(other.present[i], one.present[i], 1e-12 * one.present[i]) << i;
+        EXPECT_GT(one[i], 0) << i;
+        EXPECT_LT(one[i], G * static_cast<double>(1 + i)) << i;
+        EXPECT_NEAR(other[i], one[i], 1e-12 * one[i]) << i;
     }
 }
 

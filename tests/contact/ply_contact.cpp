@@ -25,14 +25,14 @@ std::vector<contact::PairForce> press(PlyContact& contact, Plies& plies, std::si
     const double dt = 1e-7;
     Positions v(plies.x.size(), Vec3::Zero());
     for (std::size_t n = 0; n < moving; ++n) v[n] = travel / (steps * dt);
-    std::vector<contact::PairForce> forces;
+    contact::ContactForces forces;
     contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, skin);
     for (int step = 0; step < steps; ++step) {
         for (std::size_t n = 0; n < moving; ++n) plies.x[n] += dt * v[n];
         forces.clear();
-        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, forces);
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, 1, forces);
     }
-    return forces;
+    return forces.pairs;
 }
 
 TEST(PlyContact, FlatPliesPushEachOtherByStiffnessOverlapAndArea) {
@@ -170,8 +170,8 @@ TEST(PlyContact, WaitingChangesNoBit) {
             Positions v(x.size());
             for (std::size_t n = 0; n < x.size(); ++n) v[n] = (x[n] - plies.x[n]) / dt;
             plies.x = std::move(x);
-            std::vector<contact::PairForce> forces, expected;
-            waiting.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, forces);
+            contact::ContactForces of_waiting, of_anew;
+            waiting.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, 0.7, of_waiting);
             PlyContact next(law, 0.25e-3, plies.surface, motion.X);
             for (std::int32_t f = 0; f < plies.surface.owned; ++f) {
                 std::vector<double> record;
@@ -180,7 +180,8 @@ TEST(PlyContact, WaitingChangesNoBit) {
             }
             anew = std::move(next);
             anew.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, skin);
-            anew.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, expected);
+            anew.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, 0.7, of_anew);
+            auto &forces = of_waiting.pairs, &expected = of_anew.pairs;
             sort(forces), sort(expected);
             ASSERT_TRUE(same_bits(forces, expected)) << "pass " << pass << ", step " << step;
             touched = std::max(touched, expected.size()), let_go += expected.size() < touched;

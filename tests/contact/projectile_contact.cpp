@@ -24,19 +24,19 @@ contact::PairForce total(const scene::Projectile& projectile, double spacing, do
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0.013e-3, 0.021e-3, -thickness / 2 - 2.5 * speed * dt}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
-    std::vector<contact::PairForce> forces;
+    contact::ContactForces forces;
     while (state.position.z() + speed * dt <= depth - thickness / 2) {
         state.position.z() += speed * dt;
         forces.clear();
-        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, forces);
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, 1, forces);
     }
     // the last bit of the way in one short step
     const double rest = (depth - thickness / 2 - state.position.z()) / speed;
     state.position.z() = depth - thickness / 2;
     forces.clear();
-    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, rest, forces);
+    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, rest, 1, forces);
     contact::PairForce sum({}, contact::Master::projectile);
-    for (const auto& pair : forces) {
+    for (const auto& pair : forces.pairs) {
         Vec3 nodal = Vec3::Zero();
         for (const auto& force : pair.on_slave) nodal += force;
         EXPECT_EQ(pair.kind, contact::Master::projectile);
@@ -83,14 +83,14 @@ TEST(ProjectileContact, AFastFaceMeetsThePlyUpToItsRim) {
         const Positions v(plies.x.size(), Vec3::Zero());
         contact::ProjectileState state{{0.013e-3, 0.021e-3, -gap}, {0, 0, fast}};
         contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
-        std::vector<contact::PairForce> forces;
-        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, 0, forces);
-        while (forces.empty()) {
+        contact::ContactForces forces;
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, 0, 1, forces);
+        while (forces.pairs.empty()) {
             state.position.z() += way;
-            contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, step, forces);
+            contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, step, 1, forces);
         }
         double force = 0;
-        for (const auto& pair : forces) force += pair.total.z();
+        for (const auto& pair : forces.pairs) force += pair.total.z();
         return force / (k * state.position.z());
     };
     for (const double gap : {0.06e-3, 0.15e-3, 0.35e-3}) EXPECT_NEAR(area(gap) / area(0), 1, 1e-9) << gap;
@@ -107,13 +107,13 @@ Vec3 push_on_leaning_ply(std::optional<double> spacing, double angle) {
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0, 0, -1.1e-3}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
-    std::vector<contact::PairForce> forces;
+    contact::ContactForces forces;
     for (int step = 0; step < 1100; ++step) {
         state.position.z() += speed * dt;
         forces.clear();
-        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, forces);
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, 1, forces);
     }
-    return assemble(forces, plies.x).on_slaves.normalized();
+    return assemble(forces.pairs, plies.x).on_slaves.normalized();
 }
 
 // Without friction nothing may pull along the yarns: over the edge of a projectile the tension on both sides would differ.
@@ -133,14 +133,14 @@ TEST(ProjectileContact, TouchesNothingBesideItsFootprintOrEroded) {
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0, 0, -0.5e-6}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
-    std::vector<contact::PairForce> forces;
-    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, forces);
-    EXPECT_TRUE(forces.empty());
+    contact::ContactForces forces;
+    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, 1, forces);
+    EXPECT_TRUE(forces.pairs.empty());
     plies.surface.alive[27] = 0;
     state.position.z() += speed * dt;
-    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, forces);
-    ASSERT_FALSE(forces.empty());
-    for (const auto& pair : forces) {
+    contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, 1, forces);
+    ASSERT_FALSE(forces.pairs.empty());
+    for (const auto& pair : forces.pairs) {
         EXPECT_NE(pair.slave, plies.surface.facets[27].nodes);
         Vec3 nearest = Vec3::Constant(1);
         for (const auto& corner : contact::corners_of(pair.slave, plies.x))

@@ -27,8 +27,9 @@ class FrameContact {
     /// @param normals of the plies, at these positions
     /// @param v       velocities over the last step, m/s
     /// @param dt      the last step, s
+    /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                  std::vector<PairForce>& forces);
+                  double sliding_share, ContactForces& forces);
 
     /// Memory of the points of an owned facet, to be taken up on another rank.
     void save(std::int32_t facet, std::vector<double>& record) const;

@@ -7,36 +7,73 @@
 #include <numbers>
 
 #include "weavefront/contact/lanes.hpp"
+#include "weavefront/contact/sliding_energy.hpp"
 #include "weavefront/scene/scene.hpp"
 
 namespace weavefront::contact {
 
 /// What a contact point remembers.
 struct Penetration {
-    double present = 0;  ///< g, m; 0: not in contact
-    double largest = 0;  ///< since it came into contact, m
+    double overlap = 0;  ///< geometric, as last seen, m; 0: apart
+    double ignored = 0;  ///< part of it that motion did not bring about, m: it presses nothing
+    double opened = 0;   ///< by how much the sides have opened from their closest approach, m
+
+    /// The penetration g that presses, m.
+    [[nodiscard]] double present() const { return overlap - ignored; }
 };
 
 /// What the points of a batch remember.
 struct PenetrationLanes {
-    Lanes present{}, largest{};
+    Lanes overlap{}, ignored{}, opened{};
 };
 
-/// What a contact point does over a step.
+/// How the two sides of a contact point have moved over the last step.
+struct RelativeMotion {
+    double closing;  ///< rate of approach along the force, m/s
+    double normal;   ///< rate at which that approach changes the overlap, m/s: less where the overlap is measured along another direction
+    double most;     ///< bound on the rate at which any relative motion changes the overlap, m/s
+};
+
+/// The same for the points of a batch whose overlap is measured along the force.
+struct RelativeMotionLanes {
+    Lanes closing, most;
+};
+
+/// What a point knows of those around it.
+struct Surroundings {
+    double reserve = 0;        ///< of the facet before any of its points was advanced in this step, J/m2: see PenaltyLaw
+    double opened = 0;         ///< d of the points that press already, m: see PenaltyLaw
+    double sliding_share = 1;  ///< part of the overlap brought about by sliding that may press
+};
+
+/// What a contact point, or the points of a facet, do over a step.
 struct Pressed {
-    double pressure;  ///< Pa
-    double gained;    ///< by the reserve of the facet, J/m2: see PenaltyLaw
+    double pressure = 0;  ///< Pa
+    double gained = 0;    ///< by the reserve of the facet, J/m2: see PenaltyLaw
+    SlidingEnergy sliding;
 };
 
-/// Pressure over penetration: loading along k g; unloading from the largest penetration, and reloading, along the slope u k; never tensile.
-/// Woven fabric under transverse compression returns little of the work done on it; u = 1 is the elastic contact of the paper's time.
-/// The stiffness is per area and belongs to the fabric: mesh and time step do not enter.
+/// Pressure over penetration g: loading along k g; unloading and reloading along the slope u k; never tensile. Woven fabric under
+/// transverse compression returns little of the work done on it; u = 1 is the elastic contact of the paper's time. The stiffness is per
+/// area and belongs to the fabric: mesh and time step do not enter.
 ///
-/// The penetration follows the geometry but grows only by relative motion: where the geometry jumps (a facet changes, an overlap is found
-/// late, an element disappears) nothing is pushed out at once. What is left late is healed: the penetration creeps up to the geometry, and
-/// the energy that it can then give back is taken from the reserve of the facet: what contact has dissipated there before this step and not
-/// yet spent. So contact never gives energy. In each step a point may spend the part of the reserve that its area is of the facet's; what
-/// it gets does not depend on the order of the points. Elastic contact, u = 1, gives back all that it takes and has nothing to heal with.
+/// The penetration follows the geometry as far as the two sides can have moved. An overlap that appears faster is a jump of the geometry (a
+/// facet changes, an element disappears, an overlap is found late): it is ignored until the sides part, so that nothing is pushed out at
+/// once. Motion counts in any direction: where a curved side slides along the other one, the overlap changes without any approach along the
+/// force, rises ahead and falls behind.
+///
+/// Only approach along the force loads and unloads: with d the way by which the sides have opened since their closest approach, p = k g -
+/// (u - 1) k d. Without sliding, g + d is the largest penetration and this is the unloading line through it. What slides keeps its d, so
+/// frictionless sliding along a uniform surface changes no pressure. A point that comes into contact by sliding takes up the d of its
+/// surroundings.
+///
+/// Sliding does no work along the force, so what it stores in the points ahead must come from those behind. The points report both;
+/// whoever adds them up says which share of the overlap by sliding may press, so that contact never gives more than it has taken.
+///
+/// An ignored overlap is healed: it shrinks slowly, and the energy that the point can then give back is taken from the reserve of the
+/// facet: what contact has dissipated there before this step and not yet spent. In each step a point may spend the part of the reserve that
+/// its area is of the facet's; what it gets does not depend on the order of the points. Elastic contact, u = 1, gives back all that it
+/// takes and has nothing to heal with.
 class PenaltyLaw {
   public:
     /// @param law     stiffness k (Pa/m), unloading ratio u >= 1, fraction of critical damping
@@ -49,35 +86,48 @@ class PenaltyLaw {
                                           : 0) {}
 
     /// Advances a point.
-    /// @param geometric penetration seen now, m; negative when apart
-    /// @param closing   rate at which the two sides approached over the last step, m/s
+    /// @param geometric overlap seen now, m; negative when apart
+    /// @param motion    over the last step
     /// @param dt        the last step, s
     /// @param share     of the facet's area that the point stands for
-    /// @param reserve   of the facet before any of its points was advanced in this step, J/m2
-    Pressed advance(Penetration& point, double geometric, double closing, double dt, double share, double reserve) const {
-        const auto step = step_of(point, geometric, closing, dt, share, reserve);
+    Pressed advance(Penetration& point, double geometric, const RelativeMotion& motion, double dt, double share,
+                    const Surroundings& around) const {
+        const auto step = step_of(point, geometric, motion, dt, share, around);
         point = step.point;
         return step.pressed;
     }
 
     /// The same for the points of a batch; those that have not met anything stay as they are and have no pressure.
-    /// @param gained by the reserve of the facet, J/m2: added to
-    [[nodiscard]] Lanes advance(PenetrationLanes& points, const LaneMask& met, const Lanes& geometric, const Lanes& closing, double dt,
-                                const Lanes& share, double reserve, double& gained) const {
-        Lanes present, largest, pressure, gains;
+    /// @param sum of what all points do, but for their pressures: added to
+    [[nodiscard]] Lanes advance(PenetrationLanes& points, const LaneMask& met, const Lanes& geometric, const RelativeMotionLanes& motion,
+                                double dt, const Lanes& share, const Surroundings& around, Pressed& sum) const {
+        PenetrationLanes next;
+        Lanes pressure, gained, released, taken, wanted;
         for (std::size_t i = 0; i < batch_width; ++i) {
-            const auto step = step_of({points.present[i], points.largest[i]}, geometric[i], closing[i], dt, share[i], reserve);
-            present[i] = step.point.present, largest[i] = step.point.largest;
-            pressure[i] = step.pressed.pressure, gains[i] = step.pressed.gained;
+            const RelativeMotion of_point{motion.closing[i], motion.closing[i], motion.most[i]};
+            const auto [point, pressed] =
+                step_of({points.overlap[i], points.ignored[i], points.opened[i]}, geometric[i], of_point, dt, share[i], around);
+            next.overlap[i] = point.overlap, next.ignored[i] = point.ignored, next.opened[i] = point.opened;
+            pressure[i] = pressed.pressure, gained[i] = pressed.gained;
+            released[i] = pressed.sliding.released, taken[i] = pressed.sliding.taken, wanted[i] = pressed.sliding.wanted;
         }
         for (std::size_t i = 0; i < batch_width; ++i) {
-            if (met[i])
-                points.present[i] = present[i], points.largest[i] = largest[i], gained += gains[i];
-            else
+            if (met[i]) {
+                points.overlap[i] = next.overlap[i], points.ignored[i] = next.ignored[i], points.opened[i] = next.opened[i];
+                sum.gained += gained[i];
+                sum.sliding.add({released[i], taken[i], wanted[i]});
+            } else {
                 pressure[i] = 0;
+            }
         }
         return pressure;
     }
+
+    /// Whether it matters by how much the sides have opened.
+    [[nodiscard]] bool is_elastic() const { return unloading_ == 1; }
+
+    /// Opening beyond which no overlap of a ply presses, m. @param thickness of the ply, m
+    [[nodiscard]] double most_opened(double thickness) const { return thickness / (unloading_ - 1); }
 
   private:
     // An overlap heals within this many periods of two plies on the unloading line of the contact: so slowly that they are moved apart by
@@ -88,43 +138,64 @@ class PenaltyLaw {
         Penetration point;
         Pressed pressed;
     };
-    [[nodiscard]] Step step_of(const Penetration& before, double geometric, double closing, double dt, double share, double reserve) const {
-        const auto moved = follow(before, geometric, closing, dt);
+    [[nodiscard]] Step step_of(const Penetration& before, double geometric, const RelativeMotion& motion, double dt, double share,
+                               const Surroundings& around) const {
+        const auto approached = approach(before, geometric, motion, dt, around.opened);
+        const auto moved = slide(approached, around.sliding_share);
+        const double stored = recoverable(approached.point), after = recoverable(moved);
         // The work of a step is that of the mean of the pressures at its ends.
-        const double work = (elastic_pressure(before) + elastic_pressure(moved)) / 2 * closing * dt;
-        const double dissipated = work - (recoverable(moved) - recoverable(before));
+        const double work = (elastic_pressure(before) + elastic_pressure(moved)) / 2 * motion.closing * dt;
+        const double dissipated = work - (stored - recoverable(before));
 
         // A metre of creep costs at most the pressure that first loading has at the largest penetration and, as the pressure is higher
         // from now on, half of what it adds to it over what the sides open.
-        const double behind = std::max(geometric - moved.present, 0.0), creep = std::min(healing_rate_ * dt, 1.0) * behind;
-        const double opened = std::max(-closing * dt, 0.0);
-        const double price = stiffness_ * std::max(moved.largest, moved.present + creep) + unloading_ * stiffness_ * opened / 2;
-        const double affordable = std::max(reserve, 0.0);
+        const double creep = std::min(healing_rate_ * dt, 1.0) * moved.ignored, opening = std::max(-motion.closing * dt, 0.0);
+        const double price = stiffness_ * (moved.present() + std::max(moved.opened, creep)) + unloading_ * stiffness_ * opening / 2;
+        const double affordable = std::max(around.reserve, 0.0);
         const auto end = crept(moved, creep * price > affordable ? affordable / price : creep);
         const double added = elastic_pressure(end) - elastic_pressure(moved);
-        const double cost = recoverable(end) - recoverable(moved) + added * opened / 2;
+        const double cost = recoverable(end) - after + added * opening / 2;
 
-        const double elastic = elastic_pressure(end), pressure = std::max(elastic + damping_ * closing, 0.0);
-        const double damped = (pressure - elastic) * closing * dt;
+        const double elastic = elastic_pressure(end), pressure = std::max(elastic + damping_ * motion.closing, 0.0);
         const bool presses = elastic > 0;
-        return {{end.present, end.present > 0 ? end.largest : 0.0},
-                {presses ? pressure : 0.0, share * (dissipated + (presses ? damped : 0.0) - cost)}};
+        const double damped = presses ? (pressure - elastic) * motion.closing * dt : 0.0;
+        const SlidingEnergy sliding{share * std::max(stored - after, 0.0), share * std::max(after - stored, 0.0),
+                                    share * std::max(recoverable(approached.whole()) - stored, 0.0)};
+        return {{end.overlap, end.ignored, end.present() > 0 ? end.opened : 0.0},
+                {presses ? pressure : 0.0, share * (dissipated + damped - cost), sliding}};
     }
 
-    /// The point after the motion of a step, without healing.
-    [[nodiscard]] static Penetration follow(const Penetration& before, double geometric, double closing, double dt) {
-        const double present = std::max(std::min(geometric, before.present + closing * dt), 0.0);
-        return {present, std::max(before.largest, present)};
+    /// A point after the approach of a step, without sliding.
+    struct Approached {
+        Penetration point;
+        double present;  ///< penetration that sliding makes of it, m
+
+        [[nodiscard]] Penetration whole() const { return {point.overlap, point.overlap - present, point.opened}; }
+    };
+    [[nodiscard]] static Approached approach(const Penetration& before, double geometric, const RelativeMotion& motion, double dt,
+                                             double opened_nearby) {
+        const double overlap = std::max(geometric, 0.0), jump = std::max(overlap - before.overlap - motion.most * dt, 0.0);
+        const double present = overlap - std::min(before.ignored + jump, overlap), change = motion.normal * dt;
+        const bool pressed = before.present() > 0;
+        const double opened = std::max((pressed ? before.opened : opened_nearby) - change, 0.0);
+        // A point that comes in approaches by no more than it is in.
+        const double approached = std::max(before.present() + change, 0.0),
+                     without_sliding = pressed ? approached : std::min(approached, present);
+        return {{overlap, overlap - without_sliding, opened}, present};
+    }
+
+    [[nodiscard]] static Penetration slide(const Approached& approached, double share) {
+        const auto& [point, present] = approached;
+        const double refused = (1 - share) * std::max(present - point.present(), 0.0);
+        return {point.overlap, point.overlap - present + refused, point.opened};
     }
 
     [[nodiscard]] static Penetration crept(const Penetration& point, double creep) {
-        const double present = point.present + creep;
-        return {present, std::max(point.largest, present)};
+        return {point.overlap, point.ignored - creep, std::max(point.opened - creep, 0.0)};
     }
 
     [[nodiscard]] double elastic_pressure(const Penetration& point) const {
-        const double residual = point.largest * (1 - 1 / unloading_);
-        return std::max(std::min(stiffness_ * point.present, unloading_ * stiffness_ * (point.present - residual)), 0.0);
+        return std::max(stiffness_ * (point.present() - (unloading_ - 1) * point.opened), 0.0);
     }
 
     /// What a point gives back when it opens, J/m2.

@@ -9,6 +9,7 @@
 
 #include "weavefront/contact/approach.hpp"
 #include "weavefront/contact/candidates.hpp"
+#include "weavefront/contact/contact_forces.hpp"
 #include "weavefront/contact/facet_lines.hpp"
 #include "weavefront/contact/near_facets.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
@@ -38,8 +39,9 @@ class PlyContact {
     /// @param normals of the plies, at these positions
     /// @param v       velocities over the last step, m/s: nodes have moved by `dt` times these since the last call
     /// @param dt      the last step, s
+    /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                  std::vector<PairForce>& forces);
+                  double sliding_share, ContactForces& forces);
 
     /// Whether any point of an owned facet remembers a penetration.
     [[nodiscard]] bool touches(std::int32_t facet) const { return memory_.holds(facet); }
@@ -68,29 +70,29 @@ class PlyContact {
         const Surface& surface;
         NodalNormals& normals;
         std::span<const Vec3> x, v;
-        double dt;
+        double dt, sliding_share;
     };
     /// The points of a facet and what they meet.
     struct Slave {
         std::int32_t facet;
         std::array<Vec3, 4> velocities;
         FacetPoints points;
-        double reserve;  ///< before the step, J/m2: see PenaltyLaw
-        double gained = 0;
+        Surroundings around;
+        Pressed sum{};
         bool touching = false;
     };
     [[nodiscard]] std::span<Watch> watches(std::int32_t group) {
         return std::span(watches_).subspan(approach_.before(group), approach_.facets(group).size());
     }
-    void evaluate_group(std::int32_t group, const Now& now, std::vector<PairForce>& forces);
+    void evaluate_group(std::int32_t group, const Now& now, ContactForces& forces);
     /// By how much a facet and its near candidates may have approached over the last step, m.
     [[nodiscard]] double own_approach(std::int32_t facet, const Shortlist& near, const Now& now) const;
     /// Whether what a facet knows no longer holds.
     [[nodiscard]] bool is_over(Watch& watch, std::int32_t facet, double so_far, const Now& now) const;
     void look_around(std::int32_t facet, Watch& watch, std::int32_t group, const Now& now);
-    void evaluate_facet(std::int32_t facet, std::int32_t first, const Now& now, std::vector<PairForce>& forces);
+    void evaluate_facet(std::int32_t facet, std::int32_t first, const Now& now, ContactForces& forces);
     void press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near, LaneMask& open,
-               const Now& now, std::vector<PairForce>& forces);
+               const Now& now, ContactForces& forces);
     [[nodiscard]] const PenaltyLaw& law(std::int32_t ply, std::int32_t other) const {
         return laws_[static_cast<std::size_t>(ply) * plies_ + static_cast<std::size_t>(other)];
     }

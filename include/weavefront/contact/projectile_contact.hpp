@@ -38,8 +38,9 @@ class ProjectileContact {
     /// @param normals of the plies, at these positions
     /// @param v       velocities over the last step, m/s
     /// @param dt      the last step, s
+    /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v,
-                  const ProjectileState& projectile, double dt, std::vector<PairForce>& forces);
+                  const ProjectileState& projectile, double dt, double sliding_share, ContactForces& forces);
 
     /// Whether any point of an owned facet remembers a penetration, or may soon.
     [[nodiscard]] bool touches(std::int32_t facet) const {

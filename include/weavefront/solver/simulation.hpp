@@ -2,6 +2,7 @@
 /// @file
 /// The explicit time integration of an impact.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "weavefront/solver/balance.hpp"
 #include "weavefront/solver/model.hpp"
 #include "weavefront/solver/phases.hpp"
+#include "weavefront/contact/sliding_account.hpp"
 #include "weavefront/solver/step_bound.hpp"
 
 namespace weavefront::solver {
@@ -66,6 +68,8 @@ class Simulation {
     [[nodiscard]] shell::ElementOutput element_output(std::int32_t element) const;
 
   private:
+    enum ContactKind : std::size_t { of_projectile, of_plies, of_frame, contact_kinds };
+
     void advance_elements();
     void evaluate_contact();
     void sum_over_ranks();
@@ -76,6 +80,7 @@ class Simulation {
     void update_candidates();
     void let_debris_go();
     void note(const shell::Events& events);
+    void book_sliding(ContactKind kind);
     void count_contact_work(double dt);  // of half a step
     void add_energy(std::int64_t& sum, double energy);
     [[noreturn]] void stop_at_fault() const;
@@ -110,7 +115,9 @@ class Simulation {
 
     FixedVector on_projectile_{};
     Vec3 projectile_force_{0, 0, 0}, initial_projectile_{0, 0, 0};
-    std::vector<contact::PairForce> pairs_;
+    contact::ContactForces contact_;
+    std::array<contact::SlidingAccount, contact_kinds> sliding_;
+    std::array<std::int64_t, contact_kinds> sliding_released_{}, sliding_wanted_{};  // in this step on this rank, of energy_
     shell::AlignedVector<double> pack_forces_;
 
     bool candidates_outdated_ = true;

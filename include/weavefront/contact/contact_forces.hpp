@@ -1,0 +1,20 @@
+#pragma once
+/// @file
+/// What contact of one kind does in a step.
+
+#include <vector>
+
+#include "weavefront/contact/sliding_energy.hpp"
+#include "weavefront/contact/surface.hpp"
+
+namespace weavefront::contact {
+
+/// Forces of pairs, and the energy that sliding moved in each facet.
+struct ContactForces {
+    std::vector<PairForce> pairs;
+    std::vector<SlidingEnergy> sliding;  ///< J; facets where nothing slides have none
+
+    void clear() { pairs.clear(), sliding.clear(); }
+};
+
+}  // namespace weavefront::contact

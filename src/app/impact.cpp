@@ -119,7 +119,7 @@ class Impact::Parts {
         last_ = simulation_.balance();
         {
             const solver::Timed timed(simulation_.seconds(), solver::Phase::output);
-            history_.write(row_of(last_));
+            history_.write(row_of(last_, simulation_.panel().columns()));
         }
         require_balance();
     }

@@ -53,7 +53,7 @@ std::vector<std::optional<double>> first_breaks(const solver::Counts& counts, co
 
 }  // namespace
 
-io::HistoryRow row_of(const solver::Balance& b) {
+io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     io::HistoryRow row;
     row.time = b.time;
     row.projectile = array_of(b.projectile);
@@ -74,6 +74,14 @@ io::HistoryRow row_of(const solver::Balance& b) {
     row.max_displacement = b.max_displacement;
     row.time_step = b.time_step;
     row.back_face_deflection = b.back_face_deflection;
+    if (b.deepest.element >= 0) {
+        row.penetration = b.deepest.overlap;
+        row.penetration_at = {b.deepest.place.x(), b.deepest.place.y()};
+        row.penetration_ply = b.deepest.element / columns + 1;
+    }
+    row.debris_elements = b.debris_elements;
+    row.debris_mass = b.debris_mass;
+    row.debris_displacement = b.debris_displacement;
     return row;
 }
 

@@ -15,8 +15,8 @@
 
 namespace weavefront::app {
 
-/// A balance as a row of history.csv.
-io::HistoryRow row_of(const solver::Balance& balance);
+/// A balance as a row of history.csv. @param columns of elements, which all plies have
+io::HistoryRow row_of(const solver::Balance& balance, std::int64_t columns);
 
 class RunReport {
   public:

@@ -44,18 +44,6 @@ RelativeMotionLanes relative_motion(const VectorLanes& slave, const VectorLanes&
     return motion;
 }
 
-/// By how much the points that press have opened, in the mean over their area, m.
-double mean_opening(const QuadratureRule& rule, const FacetPoints& points) {
-    double sum = 0, shares = 0;
-    for (std::size_t b = 0; b < rule.size(); ++b)
-        for (std::size_t i = 0; i < rule[b].count; ++i) {
-            if (!(points[b].overlap[i] > points[b].ignored[i])) continue;
-            sum += rule[b].share[i] * points[b].opened[i];
-            shares += rule[b].share[i];
-        }
-    return shares > 0 ? sum / shares : 0;
-}
-
 /// The first points of a batch, as many as it has.
 LaneMask all_of(const QuadratureBatch& batch) {
     LaneMask mask{};
@@ -171,11 +159,8 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
     near_.add(complete ? candidates : FacetRuns({&only_first, 1}), lines, now.surface, touching_, now.x);
     pair_of_.assign(near_.size(), -1);
     auto& reserve = reserves_[static_cast<std::size_t>(f)];
-    Slave slave{.facet = f,
-                .velocities = corners_of(facet.nodes, now.v),
-                .points = memory_.recall(f),
-                .around = {.reserve = reserve, .opened = 0, .sliding_share = now.sliding_share}};
-    if (memory_.holds(f)) slave.around.opened = mean_opening(rule, slave.points);
+    Slave slave{
+        .facet = f, .velocities = corners_of(facet.nodes, now.v), .points = memory_.recall(f), .around = {reserve, now.sliding_share}};
     for (std::size_t b = 0; b < rule.size(); ++b) {
         auto& points = slave.points[b];
         auto open = all_of(rule[b]);
@@ -222,7 +207,10 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& r
     const auto pressure = law(facet.ply, other.ply).advance(points, met, overlap, motion, now.dt, batch.share, slave.around, slave.sum);
     const double area = now.surface.areas[static_cast<std::size_t>(slave.facet)];
     for (std::size_t i = 0; i < batch_width; ++i) {
-        slave.touching = slave.touching || (met[i] && points.overlap[i] > 0);
+        const bool touches = met[i] && points.overlap[i] > 0;
+        slave.touching = slave.touching || touches;
+        if (touches)
+            forces.deepest.include({overlap[i], overlap[i] / reach, Vec3(rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]), facet.id});
         if (!(pressure[i] > 0)) continue;
         auto& pair = pair_of_[near];
         if (pair < 0) {

@@ -17,7 +17,7 @@ std::optional<Depth> ProjectileShape::sphere_depth(const Vec3& point) const {
     const double distance = from_centre.norm();
     if (distance >= radius_) return std::nullopt;
     const Vec3 normal = distance > 0 ? Vec3(from_centre / distance) : Vec3(0, 0, 1);
-    return Depth{radius_ - distance, normal};
+    return Depth{radius_ - distance, normal, radius_};
 }
 
 double ProjectileShape::rim_drop(double radius) const {

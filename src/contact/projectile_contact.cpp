@@ -7,9 +7,6 @@ namespace weavefront::contact {
 
 namespace {
 
-// How far around the projectile facets are followed before they touch it: farther than fabric slides while contact unloads.
-constexpr double followed_in_radii = 1;
-
 /// Whether no point of a box is within a margin of the projectile.
 bool is_apart(const ProjectileShape& shape, const ProjectileState& projectile, const Box& box, double margin) {
     const Vec3 low(-shape.radius(), -shape.radius(), shape.rear()), high(shape.radius(), shape.radius(), shape.front());
@@ -36,8 +33,7 @@ void ProjectileContact::update_candidates(const Surface& surface, const Whereabo
             memories_.forget(f);
             continue;
         }
-        const double reach = (1 + followed_in_radii) * shapes_[static_cast<std::size_t>(facet.ply)].radius();
-        if (way.near(expected.of(facet), reach + skin)) candidates_.push_back(f);
+        if (way.near(expected.of(facet), shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin)) candidates_.push_back(f);
     }
 }
 
@@ -65,13 +61,7 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
             fastest = std::max(fastest, (v[static_cast<std::size_t>(node)] - projectile.velocity).squaredNorm());
         const double margin = dt > 0 ? 0.01 * shape.radius() + 4 * dt * std::sqrt(fastest) : shape.radius();
         if (is_apart(shape, projectile, box, margin)) {
-            if (pair.law.is_elastic() || is_apart(shape, projectile, box, followed_in_radii * shape.radius())) {
-                forget_points(memories_, f);
-            } else {
-                auto& memory = memories_.take(f);
-                memory.points = {};
-                follow_opening(pair, x, v, dt, memory);
-            }
+            forget_points(memories_, f);
             continue;
         }
         const auto depth = [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); };

@@ -49,7 +49,14 @@ std::vector<Column> columns(const HistoryRow& row) {
             {"eroded_elements", row.eroded_elements},
             {"max_displacement", row.max_displacement},
             {"time_step", row.time_step},
-            {"back_face_deflection", row.back_face_deflection}};
+            {"back_face_deflection", row.back_face_deflection},
+            {"penetration", row.penetration},
+            {"penetration_x", row.penetration_at[0]},
+            {"penetration_y", row.penetration_at[1]},
+            {"penetration_ply", row.penetration_ply},
+            {"debris_elements", row.debris_elements},
+            {"debris_mass", row.debris_mass},
+            {"debris_displacement", row.debris_displacement}};
 }
 
 std::string cell(const Column& column, double time) {

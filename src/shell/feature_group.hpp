@@ -85,6 +85,12 @@ class FeatureGroup final : public ElementGroup {
         return count;
     }
 
+    [[nodiscard]] IntactYarns intact_yarns(std::int32_t index) const override {
+        fabric::State<double> state;
+        if constexpr (sizes.damage > 0) fill_from<Fields::damage>(damage_, alive_field + 1, index, state);
+        return {state.intact_f != 0, state.intact_w != 0};
+    }
+
     [[nodiscard]] ElementEnergy energy(std::int32_t index) const override {
         const auto state = state_of(index);
         const double size = area(index);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "weavefront/parallel/all_to_all.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/simulation.hpp"
@@ -13,8 +14,21 @@ namespace weavefront::solver {
 
 namespace {
 
-// Part of the initial energy that sums of millions of terms, each rounded to 2^-44 of it, resolve to far better than any limit.
+// Part of the energy scale that sums of millions of terms, each rounded to 2^-44 of it, resolve to far better than any limit.
 constexpr double resolved = 0x1p-20;
+
+/// The deepest of all ranks. @note Collective
+contact::Deepest deepest_of_all(const contact::Deepest& local, const parallel::Communicator& comm) {
+    struct Plain {
+        double overlap, in_thicknesses, x, y, z;
+        std::int64_t element;
+    };
+    const auto& p = local.place;
+    contact::Deepest deepest;
+    for (const auto& of_rank : parallel::all_gather(comm, Plain{local.overlap, local.in_thicknesses, p.x(), p.y(), p.z(), local.element}))
+        deepest.include({of_rank.overlap, of_rank.in_thicknesses, Vec3(of_rank.x, of_rank.y, of_rank.z), of_rank.element});
+    return deepest;
+}
 
 }  // namespace
 
@@ -23,9 +37,14 @@ void require_balance(const Balance& balance, double limit, std::int64_t step) {
     if (std::abs(balance.closure) > limit)
         throw GuardStop(fmt::format("the energy balance is off by {:.3g} % of the {:.3g} J that the projectile has handed over {}",
                                     balance.closure * 100, balance.turnover, when));
-    if (balance.contact < -limit * balance.turnover)
-        throw GuardStop(fmt::format("contact has given {:.3g} J more than it had taken, of {:.3g} J that the projectile has handed over {}",
-                                    -balance.contact, balance.turnover, when));
+    const auto require_taken = [&](const char* what, double energy) {
+        if (energy < -limit * balance.turnover)
+            throw GuardStop(fmt::format("{} given {:.3g} J more than {} had taken, of {:.3g} J that the projectile has handed over {}",
+                                        what, -energy, what[0] == 'y' ? "they" : "it", balance.turnover, when));
+    };
+    require_taken("yarns have", balance.internal);
+    require_taken("friction has", balance.friction);
+    require_taken("contact has", balance.contact);
 }
 
 double Simulation::damping_work(std::size_t node, const Vec3& next, double backward, double forward) const {
@@ -33,32 +52,39 @@ double Simulation::damping_work(std::size_t node, const Vec3& next, double backw
     return scene_.damping * model_.nodes.mass[node] * (last + next).dot(backward * last + forward * next) / 4;
 }
 
-double Simulation::back_face_deflection() const {
-    const auto& surface = model_.surface;
-    const auto last = static_cast<std::int32_t>(panel_.plies.size()) - 1;
-    double largest = 0;
-    for (auto f = static_cast<std::size_t>(surface.owned); f > 0 && surface.facets[f - 1].ply == last; --f) {
-        if (!surface.alive[f - 1]) continue;
-        for (const auto node : surface.facets[f - 1].nodes) {
-            const auto n = static_cast<std::size_t>(node);
-            largest = std::max(largest, model_.nodes.x[n].z() - model_.nodes.initial.height(n));
-        }
-    }
-    return largest;
-}
-
-Balance Simulation::balance() {
-    const Timed timed(seconds_, Phase::ledger);
-    const auto& nodes = model_.nodes;
-    enum Sum : std::size_t { kinetic, internal, hourglass, friction, damping, contact, eroded, broken, eroded_count, folded, faulty, size };
-    std::array<std::int64_t, size> sums{};
-    double highest = 0;
-    const auto add = [&](Sum sum, double value) {
-        if (energy_.fits(value))
-            sums[sum] += energy_.from(value);
-        else
-            ++sums[faulty];
+/// What this rank adds to a balance: energies as integers of the ledger's scale, and counts.
+struct Simulation::LedgerSums {
+    enum Of : std::size_t {
+        kinetic,
+        internal,
+        hourglass,
+        friction,
+        damping,
+        contact,
+        eroded,
+        broken_yarns,
+        eroded_elements,
+        folded,
+        debris_elements,
+        debris_mass,
+        faulty,
+        size
     };
+
+    const parallel::FixedPoint& scale;
+    std::array<std::int64_t, size> values{};
+
+    std::int64_t& operator[](Of sum) { return values[sum]; }
+    void add(Of sum, double energy) {
+        if (scale.fits(energy))
+            values[sum] += scale.from(energy);
+        else
+            ++values[faulty];
+    }
+};
+
+void Simulation::add_nodal_energies(LedgerSums& sums) const {
+    const auto& nodes = model_.nodes;
     const auto count = static_cast<std::size_t>(nodes.count);
     const double step = (last_dt_ + dt_) / 2;
     std::size_t n = 0;
@@ -66,74 +92,127 @@ Balance Simulation::balance() {
         for (; n + energies_at_once <= count; n += energies_at_once) {
             const auto energies = kinetic_energies(nodes, model_.assembly.scale(), n, step, last_dt_);
             for (std::size_t i = 0; i < energies_at_once; ++i)
-                if (nodes.owned[n + i]) add(kinetic, energies[i]);
+                if (nodes.owned[n + i]) sums.add(LedgerSums::kinetic, energies[i]);
         }
     for (; n < count; ++n) {
         if (!nodes.owned[n]) continue;
         const Vec3 next = next_velocity(n), acceleration = (next - nodes.v[n]) / step;
-        add(kinetic, nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
-        if (scene_.damping > 0) add(damping, damping_work(n, next, last_dt_, 0));
+        sums.add(LedgerSums::kinetic, nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
+        if (scene_.damping > 0) sums.add(LedgerSums::damping, damping_work(n, next, last_dt_, 0));
     }
-    const auto of_ply = nodes.initial.in_plane.period.size();
-    for (std::size_t ply = 0, node = 0; ply < nodes.initial.heights.size(); ++ply)
-        for (std::size_t i = 0; i < of_ply; ++i, ++node)
-            if (nodes.owned[node]) highest = std::max(highest, std::abs(nodes.x[node].z() - nodes.initial.heights[ply]));
+}
+
+void Simulation::add_element_energies(LedgerSums& sums) const {
     for (const auto& group : model_.groups) {
-        sums[folded] += group->inverted(nodes.x);
+        sums[LedgerSums::folded] += group->inverted(model_.nodes.x);
         for (std::int32_t i = 0; i < group->size(); ++i) {
             if (!group->alive(i)) continue;
             const auto energy = group->energy(i);
-            add(internal, energy.work);
-            add(hourglass, energy.hourglass);
-            add(friction, energy.friction);
+            sums.add(LedgerSums::internal, energy.work);
+            sums.add(LedgerSums::hourglass, energy.hourglass);
+            sums.add(LedgerSums::friction, energy.friction);
         }
     }
-    sums[internal] += eroded_work_;
-    sums[friction] += eroded_friction_;
-    sums[eroded] += eroded_hourglass_;
-    sums[contact] += contact_work_;
-    sums[damping] += damping_work_;
-    sums[broken] = counts_.broken_yarns;
-    sums[eroded_count] = counts_.eroded_elements;
-    comm_.sum(sums);
-    if (sums[faulty] > 0) throw GuardStop(fmt::format("an energy is not finite at t = {:.6g} us, step {}", time_ * 1e6, steps_));
+    sums[LedgerSums::internal] += eroded_work_;
+    sums[LedgerSums::friction] += eroded_friction_;
+    sums[LedgerSums::eroded] += eroded_hourglass_;
+    sums[LedgerSums::contact] += contact_work_;
+    sums[LedgerSums::damping] += damping_work_;
+    sums[LedgerSums::broken_yarns] = counts_.broken_yarns;
+    sums[LedgerSums::eroded_elements] = counts_.eroded_elements;
+}
 
-    const auto whole = [&](Sum sum) { return multiplicity_ * energy_.to(sums[sum]); };
-    Balance balance;
-    balance.time = time_;
-    balance.time_step = dt_;
-    balance.kinetic_fabric = whole(kinetic);
-    balance.internal = whole(internal);
-    balance.hourglass = whole(hourglass);
-    balance.friction = whole(friction);
-    balance.damping = whole(damping);
-    balance.contact = whole(contact);
-    balance.eroded = whole(eroded);
-    const auto multiplicity = static_cast<std::int64_t>(multiplicity_);
-    balance.broken_yarns = multiplicity * sums[broken];
-    balance.eroded_elements = multiplicity * sums[eroded_count];
-    balance.max_displacement = comm_.max(highest);
-    balance.back_face_deflection = comm_.max(back_face_deflection());
-    if (model_.projectile) {
-        const auto& p = *model_.projectile;
-        const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
-        balance.projectile = p.position;
-        balance.projectile_velocity = p.velocity + last_dt_ / 2 * acceleration;
-        balance.contact_force = projectile_force_;
-        balance.kinetic_projectile = scene_.projectile->mass * p.velocity.dot(p.velocity + last_dt_ * acceleration) / 2;
-    }
+Simulation::Displacements Simulation::displacements(LedgerSums& sums) const {
+    const auto& nodes = model_.nodes;
+    const auto& heights = nodes.initial.heights;
+    const auto of_ply = nodes.initial.in_plane.period.size();
+    Displacements largest;
+    for (std::size_t ply = 0, n = 0; ply < heights.size(); ++ply)
+        for (std::size_t i = 0; i < of_ply; ++i, ++n) {
+            if (!nodes.owned[n]) continue;
+            const double along_z = nodes.x[n].z() - heights[ply];
+            if (!joined_.has_node(n)) {
+                largest.of_debris = std::max(largest.of_debris, std::abs(along_z));
+                sums[LedgerSums::debris_mass] += mass_scale_.from(nodes.mass[n]);
+                continue;
+            }
+            largest.of_joined = std::max(largest.of_joined, std::abs(along_z));
+            if (ply + 1 == heights.size()) largest.of_back_face = std::max(largest.of_back_face, along_z);
+        }
+    if (!joined_.is_whole())
+        for (std::size_t e = 0; e < static_cast<std::size_t>(model_.surface.owned); ++e)
+            if (model_.surface.alive[e] && !joined_.has_element(model_, e)) ++sums[LedgerSums::debris_elements];
+    return {comm_.max(largest.of_joined), comm_.max(largest.of_back_face), comm_.max(largest.of_debris)};
+}
+
+const JoinedFabric& Simulation::joined_fabric() {
+    std::array<std::int64_t, 1> broken{counts_.broken_yarns};
+    comm_.sum(broken);
+    if (broken[0] != joined_at_) joined_.find(model_, panel_, comm_);
+    joined_at_ = broken[0];
+    return joined_;
+}
+
+void Simulation::add_projectile(Balance& balance) const {
+    if (!model_.projectile) return;
+    const auto& p = *model_.projectile;
+    const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
+    balance.projectile = p.position;
+    balance.projectile_velocity = p.velocity + last_dt_ / 2 * acceleration;
+    balance.contact_force = projectile_force_;
+    balance.kinetic_projectile = scene_.projectile->mass * p.velocity.dot(p.velocity + last_dt_ * acceleration) / 2;
+}
+
+void Simulation::close(Balance& balance) {
     if (initial_energy_ > 0) {
         const double defect = balance.total() - initial_energy_;
-        turnover_ = std::max({turnover_, balance.total() - balance.kinetic_projectile, resolved * initial_energy_});
+        turnover_ = std::max({turnover_, balance.total() - balance.kinetic_projectile, resolved * energy_scale_});
         balance.energy_error = defect / initial_energy_;
         balance.turnover = turnover_;
         balance.closure = defect / turnover_;
     }
-    counts_.inverted = std::max(counts_.inverted, multiplicity * sums[folded]);
     counts_.largest_closure = std::max(counts_.largest_closure, std::abs(balance.closure));
     counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, balance.contact);
+    counts_.largest_hourglass = std::max(counts_.largest_hourglass, balance.hourglass);
+    counts_.largest_internal = std::max(counts_.largest_internal, balance.internal);
     counts_.max_displacement = std::max(counts_.max_displacement, balance.max_displacement);
     counts_.back_face_deflection = std::max(counts_.back_face_deflection, balance.back_face_deflection);
+}
+
+Balance Simulation::balance() {
+    static_cast<void>(joined_fabric());
+    const Timed timed(seconds_, Phase::ledger);
+    LedgerSums sums{.scale = energy_};
+    add_nodal_energies(sums);
+    add_element_energies(sums);
+    const auto largest = displacements(sums);
+    comm_.sum(sums.values);
+    if (sums[LedgerSums::faulty] > 0)
+        throw GuardStop(fmt::format("an energy is not finite at t = {:.6g} us, step {}", time_ * 1e6, steps_));
+
+    const auto whole = [&](LedgerSums::Of sum) { return multiplicity_ * energy_.to(sums[sum]); };
+    const auto counted = [&](LedgerSums::Of sum) { return static_cast<std::int64_t>(multiplicity_) * sums[sum]; };
+    Balance balance;
+    balance.time = time_;
+    balance.time_step = dt_;
+    balance.kinetic_fabric = whole(LedgerSums::kinetic);
+    balance.internal = whole(LedgerSums::internal);
+    balance.hourglass = whole(LedgerSums::hourglass);
+    balance.friction = whole(LedgerSums::friction);
+    balance.damping = whole(LedgerSums::damping);
+    balance.contact = whole(LedgerSums::contact);
+    balance.eroded = whole(LedgerSums::eroded);
+    balance.broken_yarns = counted(LedgerSums::broken_yarns);
+    balance.eroded_elements = counted(LedgerSums::eroded_elements);
+    balance.debris_elements = counted(LedgerSums::debris_elements);
+    balance.debris_mass = multiplicity_ * mass_scale_.to(sums[LedgerSums::debris_mass]);
+    balance.max_displacement = largest.of_joined;
+    balance.back_face_deflection = largest.of_back_face;
+    balance.debris_displacement = largest.of_debris;
+    balance.deepest = deepest_of_all(contact_.deepest, comm_);
+    add_projectile(balance);
+    close(balance);
+    counts_.inverted = std::max(counts_.inverted, counted(LedgerSums::folded));
     return balance;
 }
 

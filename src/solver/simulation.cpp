@@ -31,6 +31,12 @@ constexpr double ghost_spare_in_edges = 0.5;
 // Nodes are expected anywhere on the way that they would take in so many steps.
 constexpr double steps_ahead = 40;
 
+// The projectile goes a small part of its radius in so many steps.
+constexpr std::int64_t steps_between_passages = 20;
+
+// Strain of the stiffest yarns up to which the ledger resolves what they store.
+constexpr double ledger_strain = 0.1;
+
 // A time step not more than this factor below its bound is kept: a change costs new relaxation coefficients.
 constexpr double worth_raising = 1.05;
 
@@ -39,6 +45,22 @@ std::string place_of(const mesh::Panel& panel, std::int64_t element) {
     const Vec3 centre = (panel.position(0, corners[0]) + panel.position(0, corners[2])) / 2;
     return fmt::format("element {} (ply {}, at x = {:.4g} mm, y = {:.4g} mm)", element, element / panel.columns() + 1, centre.x() * 1e3,
                        centre.y() * 1e3);
+}
+
+double mass_of(const scene::Scene& scene) {
+    double density = 0;
+    for (const auto& ply : scene.target->plies) density += scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density;
+    return density * scene.target->size[0] * scene.target->size[1];
+}
+
+/// What the target can take: it moves as fast as the projectile, and all its yarns are strained far. J
+double most_energy_of_target(const scene::Scene& scene, double speed) {
+    double of_area = 0;
+    for (const auto& ply : scene.target->plies) {
+        const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
+        of_area += fabric.yarn.area / fabric.yarn.span * fabric.elastic.hooke_modulus * ledger_strain * ledger_strain;
+    }
+    return mass_of(scene) * speed * speed / 2 + of_area * scene.target->size[0] * scene.target->size[1];
 }
 
 }  // namespace
@@ -63,16 +85,20 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
       panel_(mesh::make_panel(scene)),
       model_(build_model(scene, panel_, initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
       multiplicity_(panel_.multiplicity()),
-      step_bound_(scene, panel_) {
+      step_bound_(scene, panel_),
+      passages_(panel_.plies.size()) {
     model_.exchange.use(comm_, mailboxes_);
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     counts_.first_break.assign(panel_.plies.size(), std::numeric_limits<double>::max());
     if (model_.projectile) {
         initial_projectile_ = model_.projectile->position;
         initial_energy_ = scene.projectile->mass * model_.projectile->velocity.squaredNorm() / 2;
+        // A heavy projectile keeps most of its energy: the sums resolve what it can hand over.
+        energy_scale_ = std::min(initial_energy_, most_energy_of_target(scene, model_.projectile->velocity.norm()));
     }
     list_supports();
-    energy_ = parallel::FixedPoint(initial_energy_ > 0 ? initial_energy_ : 1);
+    energy_ = parallel::FixedPoint(energy_scale_ > 0 ? energy_scale_ : 1);
+    mass_scale_ = parallel::FixedPoint(mass_of(scene));
     adapt_time_step();
     update_candidates();
     seconds_ = {};  // phases are those of the steps
@@ -85,6 +111,7 @@ void Simulation::advance_forces() {
     sum_over_ranks();
     hold_supports();
     if (steps_ >= next_check_ || stiffened_) adapt_time_step();
+    look_for_passages();
 }
 
 void Simulation::integrate() {
@@ -107,6 +134,7 @@ void Simulation::redistribute(const partition::Decomposition& decomposition) {
         step_bound_.watch(model_);
         contact_.clear();
         list_supports();
+        joined_at_ = -1;
     }
     update_candidates();
 }
@@ -165,6 +193,7 @@ void Simulation::evaluate_contact() {
     book_sliding(of_frame);
     for (const auto& pair : contact_.pairs) model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
     count_contact_work(last_dt_);
+    if (counts_.deepest.include(contact_.deepest)) counts_.deepest_at = time_;
 }
 
 void Simulation::book_sliding(ContactKind kind) {
@@ -214,6 +243,7 @@ void Simulation::sum_over_ranks() {
     for (std::size_t kind = 0; kind < contact_kinds; ++kind) sliding_[kind].book(sums[released + kind], sums[wanted + kind]);
     model_.exchange.finish(model_.nodes.force);
     projectile_force_ = whole_force({sums[x], sums[y], sums[z]});
+    counts_.touched = counts_.touched || projectile_force_ != Vec3::Zero();
     torn_ = torn_ || sums[eroded] > 0;
     candidates_outdated_ = sums[eroded] > 0 || sums[left] > 0;
     stiffened_ = sums[stiff] > 0;
@@ -281,8 +311,18 @@ void Simulation::move_nodes() {
         model_.projectile->position += dt_ * model_.projectile->velocity;
     }
     time_ += dt_;
+    if (model_.projectile && !counts_.turned_back && model_.projectile->velocity.z() <= 0) counts_.turned_back = time_;
     last_dt_ = dt_;
     ++steps_;
+}
+
+void Simulation::look_for_passages() {
+    if (!model_.projectile_contact || steps_ % steps_between_passages != 0 || passages_.all()) return;
+    const auto& projectile = *scene_.projectile;
+    const double length = projectile.shape == scene::Shape::sphere ? projectile.diameter : projectile.length;
+    const Vec3 middle = model_.projectile->position - Vec3(0, 0, length / 2);
+    if (middle.z() <= 0) return;  // in front of the first ply as it was
+    passages_.look(model_, panel_, middle, projectile.diameter / 2, time_, comm_);
 }
 
 bool Simulation::moved_far() const {

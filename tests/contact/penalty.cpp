@@ -113,16 +113,16 @@ TEST(PenaltyLaw, SlidingChangesThePressureAlongTheLoadingSlopeWhateverTheOpening
     EXPECT_NEAR(back.sliding.taken, energy, 1e-9 * energy);
     EXPECT_EQ(away.sliding.taken, 0);
     EXPECT_EQ(back.sliding.released, 0);
-    // A point that sliding brings in takes up the opening of the others.
-    Penetration fresh;
-    EXPECT_NEAR(law.advance(fresh, G - opened, sliding(G), 1, 1, {.reserve = 0, .opened = opened}).pressure, pressure, 1e-9 * k * G);
+    // Once nothing presses any more, what slides in presses at once.
+    EXPECT_EQ(move(law, point, g, 0.5 * G, 10), 0);
+    EXPECT_NEAR(slide(0.7 * G).pressure, 0.2 * k * G, 1e-9 * k * G);
 }
 
 TEST(PenaltyLaw, TakesBySlidingOnlyTheShareThatItMay) {
     const auto law = plain();
     for (const double share : {0.0, 0.25, 1.0}) {
         Penetration point;
-        const auto pressed = law.advance(point, G, sliding(G), 1, 0.5, {.reserve = 0, .opened = 0, .sliding_share = share});
+        const auto pressed = law.advance(point, G, sliding(G), 1, 0.5, {.reserve = 0, .sliding_share = share});
         EXPECT_NEAR(pressed.pressure, share * k * G, 1e-9 * k * G);
         EXPECT_NEAR(pressed.sliding.wanted, 0.5 * k * G * G / (2 * u), 1e-9 * k * G * G);
         EXPECT_NEAR(pressed.sliding.taken, 0.5 * share * share * k * G * G / (2 * u), 1e-9 * k * G * G);
@@ -210,7 +210,7 @@ TEST(PenaltyLaw, TakesMoreThanItGivesWhateverTheGeometryDoes) {
                 if (n % 50 == 0) closing = 0.01 * G * one(random) / dt;
                 if (n % 500 == 0) g += G * one(random);  // an element disappears, a facet changes
                 g += closing * dt;
-                const auto pressed = law.advance(point, g, straight(closing), dt, 1, {.reserve = reserve, .opened = 0, .sliding_share = 0});
+                const auto pressed = law.advance(point, g, straight(closing), dt, 1, {.reserve = reserve, .sliding_share = 0});
                 work += (pressure + pressed.pressure) / 2 * closing * dt;
                 pressure = pressed.pressure;
                 reserve += pressed.gained;
@@ -267,7 +267,7 @@ TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
         contact::Lanes geometric, share;
         contact::RelativeMotionLanes motion;
         contact::LaneMask met;
-        const contact::Surroundings around{reserve, random_number(0, G / 10), random_number(0, 1)};
+        const contact::Surroundings around{reserve, random_number(0, 1)};
         for (std::size_t i = 0; i < contact::batch_width; ++i) {
             geometric[i] = random_number(-G / 4, G), motion.closing[i] = random_number(-50, 50), share[i] = 0.125;
             motion.most[i] = random_number(0, 200);

@@ -4,17 +4,19 @@
 
 #include <vector>
 
+#include "weavefront/contact/deepest.hpp"
 #include "weavefront/contact/sliding_energy.hpp"
 #include "weavefront/contact/surface.hpp"
 
 namespace weavefront::contact {
 
-/// Forces of pairs, and the energy that sliding moved in each facet.
+/// Forces of pairs, the energy that sliding moved in each facet, and the deepest point.
 struct ContactForces {
     std::vector<PairForce> pairs;
     std::vector<SlidingEnergy> sliding;  ///< J; facets where nothing slides have none
+    Deepest deepest;
 
-    void clear() { pairs.clear(), sliding.clear(); }
+    void clear() { pairs.clear(), sliding.clear(), deepest = {}; }
 };
 
 }  // namespace weavefront::contact

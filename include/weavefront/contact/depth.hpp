@@ -8,8 +8,9 @@ namespace weavefront::contact {
 
 /// Depth of a point below a surface.
 struct Depth {
-    double depth = 0;  ///< m, > 0 inside
-    Vec3 normal;       ///< outward, unit
+    double depth = 0;   ///< m, > 0 inside
+    Vec3 normal;        ///< outward, unit
+    double radius = 0;  ///< of curvature of a round body, m; 0: an edge or a flat face
 };
 
 }  // namespace weavefront::contact

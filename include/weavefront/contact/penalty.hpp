@@ -42,7 +42,6 @@ struct RelativeMotionLanes {
 /// What a point knows of those around it.
 struct Surroundings {
     double reserve = 0;        ///< of the facet before any of its points was advanced in this step, J/m2: see PenaltyLaw
-    double opened = 0;         ///< d of the points that press already, m: see PenaltyLaw
     double sliding_share = 1;  ///< part of the overlap brought about by sliding that may press
 };
 
@@ -63,9 +62,8 @@ struct Pressed {
 /// force, rises ahead and falls behind.
 ///
 /// Only approach along the force loads and unloads: with d the way by which the sides have opened since their closest approach, p = k g -
-/// (u - 1) k d. Without sliding, g + d is the largest penetration and this is the unloading line through it. What slides keeps its d, so
-/// frictionless sliding along a uniform surface changes no pressure. A point that comes into contact by sliding takes up the d of its
-/// surroundings.
+/// (u - 1) k d. Without sliding, g + d is the largest penetration and this is the unloading line through it. Points that slide keep their
+/// d as long as they press; where sliding closes a point that has ceased to press, it presses again at once.
 ///
 /// Sliding does no work along the force, so what it stores in the points ahead must come from those behind. The points report both;
 /// whoever adds them up says which share of the overlap by sliding may press, so that contact never gives more than it has taken.
@@ -123,12 +121,6 @@ class PenaltyLaw {
         return pressure;
     }
 
-    /// Whether it matters by how much the sides have opened.
-    [[nodiscard]] bool is_elastic() const { return unloading_ == 1; }
-
-    /// Opening beyond which no overlap of a ply presses, m. @param thickness of the ply, m
-    [[nodiscard]] double most_opened(double thickness) const { return thickness / (unloading_ - 1); }
-
   private:
     // An overlap heals within this many periods of two plies on the unloading line of the contact: so slowly that they are moved apart by
     // pressures far below those that made it, and within some 20 us for stiffnesses of fabric, a fraction of an impact.
@@ -140,7 +132,7 @@ class PenaltyLaw {
     };
     [[nodiscard]] Step step_of(const Penetration& before, double geometric, const RelativeMotion& motion, double dt, double share,
                                const Surroundings& around) const {
-        const auto approached = approach(before, geometric, motion, dt, around.opened);
+        const auto approached = approach(before, geometric, motion, dt);
         const auto moved = slide(approached, around.sliding_share);
         const double stored = recoverable(approached.point), after = recoverable(moved);
         // The work of a step is that of the mean of the pressures at its ends.
@@ -172,20 +164,20 @@ class PenaltyLaw {
 
         [[nodiscard]] Penetration whole() const { return {point.overlap, point.overlap - present, point.opened}; }
     };
-    [[nodiscard]] static Approached approach(const Penetration& before, double geometric, const RelativeMotion& motion, double dt,
-                                             double opened_nearby) {
+    [[nodiscard]] static Approached approach(const Penetration& before, double geometric, const RelativeMotion& motion, double dt) {
         const double overlap = std::max(geometric, 0.0), jump = std::max(overlap - before.overlap - motion.most * dt, 0.0);
         const double present = overlap - std::min(before.ignored + jump, overlap), change = motion.normal * dt;
         const bool pressed = before.present() > 0;
-        const double opened = std::max((pressed ? before.opened : opened_nearby) - change, 0.0);
+        const double opened = std::max((pressed ? before.opened : 0.0) - change, 0.0);
         // A point that comes in approaches by no more than it is in.
         const double approached = std::max(before.present() + change, 0.0),
                      without_sliding = pressed ? approached : std::min(approached, present);
         return {{overlap, overlap - without_sliding, opened}, present};
     }
 
-    [[nodiscard]] static Penetration slide(const Approached& approached, double share) {
-        const auto& [point, present] = approached;
+    [[nodiscard]] Penetration slide(Approached approached, double share) const {
+        auto& [point, present] = approached;
+        if (present > point.present() && unloading_ > 1) point.opened = std::min(point.opened, point.present() / (unloading_ - 1));
         const double refused = (1 - share) * std::max(present - point.present(), 0.0);
         return {point.overlap, point.overlap - present + refused, point.opened};
     }

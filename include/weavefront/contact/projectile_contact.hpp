@@ -42,6 +42,9 @@ class ProjectileContact {
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v,
                   const ProjectileState& projectile, double dt, double sliding_share, ContactForces& forces);
 
+    /// Owned facets that may come under the projectile before the next search.
+    [[nodiscard]] std::span<const std::int32_t> candidates() const { return candidates_; }
+
     /// Whether any point of an owned facet remembers a penetration, or may soon.
     [[nodiscard]] bool touches(std::int32_t facet) const {
         const auto* memory = memories_.find(facet);

@@ -30,9 +30,15 @@ struct HistoryRow {
     double energy_error = 0;        ///< closure defect over the initial total energy
     std::int64_t broken_yarns = 0;  ///< element-directions
     std::int64_t eroded_elements = 0;
-    double max_displacement = 0;      ///< largest nodal displacement along z, m
-    double time_step = 0;             ///< s
-    double back_face_deflection = 0;  ///< largest displacement along z of the last ply where it is not eroded, m
+    double max_displacement = 0;             ///< largest displacement along z of a node of joined fabric, m
+    double time_step = 0;                    ///< s
+    double back_face_deflection = 0;         ///< largest displacement along z of joined fabric of the last ply, m
+    double penetration = 0;                  ///< deepest overlap of fabric with the projectile, another ply or the frame, m
+    std::array<double, 2> penetration_at{};  ///< its place in x and y, m
+    std::int64_t penetration_ply = 0;        ///< its ply, 1 = struck first; 0: nothing is in contact
+    std::int64_t debris_elements = 0;        ///< neither eroded nor joined to a support
+    double debris_mass = 0;                  ///< kg
+    double debris_displacement = 0;          ///< largest displacement along z of a node of debris, m
 };
 
 /// The global topology of the results in canonical order, of which each rank passes the part it owns. Every node and every element is

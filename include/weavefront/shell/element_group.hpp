@@ -62,6 +62,11 @@ struct ElementOutput {
     bool broken_fill, broken_warp;
 };
 
+/// Which yarns of an element are not broken.
+struct IntactYarns {
+    bool fill = true, warp = true;
+};
+
 /// Stored fields of a fabric's state, by how many packs need them.
 struct StateSizes {
     int changing, packing, damage;  ///< of damage with that of the element, none where the fabric does not break
@@ -132,6 +137,7 @@ class ElementGroup {
     /// Number of alive elements that are folded over themselves. @param x positions of the local nodes, m
     [[nodiscard]] virtual std::int64_t inverted(std::span<const Eigen::Vector3d> x) const = 0;
 
+    [[nodiscard]] virtual IntactYarns intact_yarns(std::int32_t index) const = 0;
     [[nodiscard]] virtual ElementEnergy energy(std::int32_t index) const = 0;
     /// @param x positions of the local nodes, m
     [[nodiscard]] virtual ElementOutput output(std::int32_t index, std::span<const Eigen::Vector3d> x) const = 0;

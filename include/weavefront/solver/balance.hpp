@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "weavefront/contact/deepest.hpp"
 #include "weavefront/mesh/vec3.hpp"
 
 namespace weavefront::solver {
@@ -28,9 +29,13 @@ struct Balance {
     double turnover = 0;      ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
     double closure = 0;       ///< closure defect over the turnover: what a heavy projectile keeps cannot hide it
     std::int64_t broken_yarns = 0, eroded_elements = 0;
-    double max_displacement = 0;      ///< of a node along z, in free flight or not, m
-    double back_face_deflection = 0;  ///< of the last ply along z where it is not eroded, the largest, m
+    double max_displacement = 0;      ///< of a node of joined fabric along z, m: see JoinedFabric
+    double back_face_deflection = 0;  ///< of joined fabric of the last ply along z, the largest, m
     double time_step = 0;             ///< s
+    contact::Deepest deepest;         ///< penetration at this time
+    std::int64_t debris_elements = 0;
+    double debris_mass = 0;          ///< kg
+    double debris_displacement = 0;  ///< of a node of debris along z, the largest, m
 
     /// What must stay constant, J.
     [[nodiscard]] double total() const {
@@ -38,7 +43,8 @@ struct Balance {
     }
 };
 
-/// @param limit of the closure, and of what contact may have given over the turnover
+/// Refuses a balance that does not close, and energy from nowhere: what yarns, friction or contact have given beyond what they had taken.
+/// @param limit of the closure defect and of that energy, over the turnover
 /// @throws GuardStop
 void require_balance(const Balance& balance, double limit, std::int64_t step);
 

@@ -4,16 +4,19 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "weavefront/contact/sliding_account.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/communicator.hpp"
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/solver/balance.hpp"
+#include "weavefront/solver/joined_fabric.hpp"
 #include "weavefront/solver/model.hpp"
+#include "weavefront/solver/passages.hpp"
 #include "weavefront/solver/phases.hpp"
-#include "weavefront/contact/sliding_account.hpp"
 #include "weavefront/solver/step_bound.hpp"
 
 namespace weavefront::solver {
@@ -27,7 +30,12 @@ struct Counts {
     std::int64_t inverted = 0;                              ///< elements folded over themselves, most of the rows
     double max_displacement = 0, back_face_deflection = 0;  ///< largest of the rows, m
     double lowest_contact_energy = 0;                       ///< J, over the rows: below zero contact gave energy
+    double largest_hourglass = 0, largest_internal = 0;     ///< J, over the rows
     double largest_closure = 0;                             ///< of the rows, see Balance
+    contact::Deepest deepest;                               ///< over the steps, of this rank's elements
+    double deepest_at = 0;                                  ///< its time, s
+    bool touched = false;                                   ///< whether any force ever acted on the projectile
+    std::optional<double> turned_back;                      ///< when the projectile first moved away from the target, s
 };
 
 /// Distance from a rank's own facets up to which those of others become its ghosts, m; 0: contact needs none of them.
@@ -60,6 +68,9 @@ class Simulation {
     [[nodiscard]] Model& model() { return model_; }
     [[nodiscard]] const mesh::Panel& panel() const { return panel_; }
     [[nodiscard]] const Counts& counts() const { return counts_; }
+    [[nodiscard]] const Passages& passages() const { return passages_; }
+    /// The fabric that is still joined to the target now. @note Collective
+    [[nodiscard]] const JoinedFabric& joined_fabric();
     [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
     [[nodiscard]] const PhaseSeconds& seconds() const { return seconds_; }
     /// Position of the projectile's nose at the start, m.
@@ -95,7 +106,18 @@ class Simulation {
         if (drag == 0) return model_.nodes.v[node] + push(node, step);
         return ((1 - drag) * model_.nodes.v[node] + push(node, step)) / (1 + drag);
     }
-    [[nodiscard]] double back_face_deflection() const;
+    void look_for_passages();
+
+    struct LedgerSums;
+    /// Largest displacements along z over all ranks, m.
+    struct Displacements {
+        double of_joined = 0, of_back_face = 0, of_debris = 0;
+    };
+    void add_nodal_energies(LedgerSums& sums) const;
+    void add_element_energies(LedgerSums& sums) const;
+    [[nodiscard]] Displacements displacements(LedgerSums& sums) const;
+    void add_projectile(Balance& balance) const;
+    void close(Balance& balance);
     [[nodiscard]] double damping_work(std::size_t node, const Vec3& next, double backward, double forward) const;
 
     scene::Scene scene_;
@@ -125,11 +147,14 @@ class Simulation {
     contact::Whereabouts expected_nodes_, expected_projectile_;  // until candidates are chosen again
     std::vector<std::int32_t> just_eroded_;
 
-    parallel::FixedPoint energy_;
+    parallel::FixedPoint energy_, mass_scale_;
     std::int64_t contact_work_ = 0, damping_work_ = 0, eroded_work_ = 0, eroded_friction_ = 0, eroded_hourglass_ = 0;  // of energy_
-    double initial_energy_ = 0, turnover_ = 0;
+    double initial_energy_ = 0, energy_scale_ = 0, turnover_ = 0;
     bool faulty_energy_ = false;  // some work was not finite, or too large to be true
     Counts counts_;
+    Passages passages_;
+    JoinedFabric joined_;
+    std::int64_t joined_at_ = 0;  // yarns that were broken on any rank when it was found
 };
 
 }  // namespace weavefront::solver

@@ -1,0 +1,120 @@
+#include "weavefront/solver/passages.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "weavefront/contact/ray.hpp"
+
+namespace weavefront::solver {
+
+namespace {
+
+constexpr auto none = std::numeric_limits<std::int64_t>::max();
+
+/// Height at which the line through a point along z meets a facet, m; nothing: it does not.
+std::optional<double> height_at(const std::array<Vec3, 4>& corners, const Vec3& point) {
+    const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
+    const double direction = normal.z() < 0 ? -1 : 1;
+    contact::Rays rays;
+    std::ranges::fill(rays.origin.x.of, point.x());
+    std::ranges::fill(rays.origin.y.of, point.y());
+    std::ranges::fill(rays.origin.z.of, point.z());
+    std::ranges::fill(rays.direction.x.of, 0);
+    std::ranges::fill(rays.direction.y.of, 0);
+    std::ranges::fill(rays.direction.z.of, direction);
+    const auto hits = contact::meet(rays, corners);
+    if (!hits.hit[0]) return std::nullopt;
+    return point.z() + direction * hits.distance[0];
+}
+
+/// What of a ply is around the projectile's middle.
+struct Around {
+    bool ahead = false;          ///< fabric within the radius that is not behind it
+    std::int64_t across = none;  ///< lowest element across its axis behind it
+};
+
+std::vector<Around> look_around(const Model& model, const Vec3& middle, double radius) {
+    std::vector<Around> plies(model.surface.plies.size());
+    for (const auto f : model.projectile_contact->candidates()) {
+        const auto& facet = model.surface.facets[static_cast<std::size_t>(f)];
+        if (!model.surface.alive[static_cast<std::size_t>(f)]) continue;
+        auto& ply = plies[static_cast<std::size_t>(facet.ply)];
+        const auto corners = contact::corners_of(facet.nodes, model.nodes.x);
+        const auto box = contact::Box::around(corners);
+        const double x = std::max({box.low.x() - middle.x(), middle.x() - box.high.x(), 0.0});
+        const double y = std::max({box.low.y() - middle.y(), middle.y() - box.high.y(), 0.0});
+        if (x * x + y * y > radius * radius) continue;
+        if (box.high.z() >= middle.z())
+            ply.ahead = true;
+        else if (x == 0 && y == 0 && height_at(corners, middle))
+            ply.across = std::min(ply.across, static_cast<std::int64_t>(facet.id));
+    }
+    return plies;
+}
+
+/// Initial corners of an element on a diagonal, m.
+std::array<Vec3, 2> initial_diagonal(const mesh::Panel& panel, std::int64_t element) {
+    const auto corners = panel.footprint(element % panel.columns());
+    const auto ply = static_cast<std::int32_t>(element / panel.columns());
+    return {panel.position(ply, corners[0]), panel.position(ply, corners[2])};
+}
+
+/// Whether an element was near another one of its ply at the start: within the projectile's radius and the size of the other.
+bool is_near(const mesh::Panel& panel, std::int64_t element, std::int64_t other, double radius) {
+    const auto [a, b] = initial_diagonal(panel, element);
+    const auto [c, d] = initial_diagonal(panel, other);
+    return ((a + b) / 2 - (c + d) / 2).norm() < radius + (d - c).norm();
+}
+
+/// Eroded elements of each ply: all of them, and those near an element that lies across the projectile's way.
+struct Eroded {
+    std::vector<std::int64_t> all, near;
+};
+
+/// @param across elements, one a ply, or none @note Collective
+Eroded count_eroded(const Model& model, const mesh::Panel& panel, std::span<const std::int64_t> across, double radius,
+                    const parallel::Communicator& comm) {
+    Eroded eroded{std::vector<std::int64_t>(across.size(), 0), std::vector<std::int64_t>(across.size(), 0)};
+    for (std::size_t f = 0; f < static_cast<std::size_t>(model.surface.owned); ++f) {
+        if (model.surface.alive[f]) continue;
+        const auto& facet = model.surface.facets[f];
+        const auto ply = static_cast<std::size_t>(facet.ply);
+        ++eroded.all[ply];
+        if (across[ply] != none && is_near(panel, facet.id, across[ply], radius)) ++eroded.near[ply];
+    }
+    comm.sum(eroded.all);
+    comm.sum(eroded.near);
+    return eroded;
+}
+
+}  // namespace
+
+bool Passages::all() const {
+    return std::ranges::all_of(plies_, [](const auto& passage) { return passage.has_value(); });
+}
+
+void Passages::look(const Model& model, const mesh::Panel& panel, const Vec3& middle, double radius, double time,
+                    const parallel::Communicator& comm) {
+    const auto around = look_around(model, middle, radius);
+    std::vector<std::int64_t> ahead(plies_.size(), 0);
+    for (std::size_t p = 0; p < plies_.size(); ++p) ahead[p] = around[p].ahead && !plies_[p] ? 1 : 0;
+    comm.sum(ahead);
+    const auto passed_now = [&](std::size_t p) { return ahead[p] == 0 && !plies_[p]; };
+    std::vector<std::int64_t> across(plies_.size(), none);
+    bool any = false;
+    for (std::size_t p = 0; p < plies_.size(); ++p) {
+        if (!passed_now(p)) continue;
+        across[p] = around[p].across;
+        any = true;
+    }
+    if (!any) return;
+    comm.min(across);
+    const auto eroded = count_eroded(model, panel, across, radius, comm);
+    for (std::size_t p = 0; p < plies_.size(); ++p) {
+        if (!passed_now(p)) continue;
+        const bool is_across = across[p] != none, torn = is_across ? eroded.near[p] > 0 : eroded.all[p] > 0;
+        plies_[p] = Passage{time, torn ? Way::hole : is_across ? Way::whole_fabric : Way::beside, is_across ? across[p] : -1};
+    }
+}
+
+}  // namespace weavefront::solver

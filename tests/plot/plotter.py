@@ -12,13 +12,14 @@ PLOT = Path(sys.argv.pop(1)).resolve()
 PACKAGES = [str(package) for package in (PLOT.parent, PLOT.parent.parent / "share" / "weavefront" / "plot")]
 sys.path[:0] = PACKAGES
 sys.dont_write_bytecode = True
-os.environ["HDF5_USE_FILE_LOCKING"] = "FALSE"  # as the program sets it; read by h5py at import
+
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in ("HDF5_USE_FILE_LOCKING", "PYTHONUNBUFFERED")}
 
 
 def plot(*arguments, **keywords):
     """Runs the program."""
-    environment = {name: value for name, value in os.environ.items() if name != "HDF5_USE_FILE_LOCKING"}
-    return subprocess.run([PLOT, *map(str, arguments)], capture_output=True, text=True, env=environment, check=False, **keywords)
+    keywords = {"stdout": subprocess.PIPE, "env": ENVIRONMENT, **keywords}
+    return subprocess.run([PLOT, *map(str, arguments)], stderr=subprocess.PIPE, text=True, check=False, **keywords)
 
 
 class OnFolder(unittest.TestCase):

@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 """Which face a picture in space shows where: test_depth.py PATH/TO/weavefront-plot."""
 import unittest
+from unittest.mock import patch
 
 import numpy as np
 
-from plotter import PLOT  # makes the package known
+import plotter  # makes the package known
+from weavefront_plot import raster
 from weavefront_plot.faces import Faces, Frame, image
 from weavefront_plot.opening import OpenQuarter
-from weavefront_plot.raster import Raster
 from weavefront_plot.view import View
 
 RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
@@ -40,12 +41,14 @@ class Depth(unittest.TestCase):
         random = np.random.default_rng(1)
         large, small = random.uniform(-10, 50, (60, 3, 3)), random.uniform(0, 40, (60, 1, 3)) + random.uniform(-3, 3, (60, 3, 3))
         corners = np.concatenate([large, small])
-        raster = Raster(40, 30)
-        raster.draw(corners, np.arange(len(corners)))
         face, depth = nearest_by_hand(corners, 40, 30)
-        self.assertLess(np.count_nonzero(raster.face.reshape(30, 40) != face), 3)  # where two have the same depth, or an edge the pixel
-        shown = raster.depth.reshape(30, 40)
-        np.testing.assert_allclose(shown[face >= 0], depth[face >= 0], atol=1e-4)  # of float32
+        for chunk in (raster.CHUNK, 100):  # pixels looked at together
+            with self.subTest(chunk=chunk), patch.object(raster, "CHUNK", chunk):
+                picture = raster.Raster(40, 30)
+                picture.draw(corners, np.arange(len(corners)))
+                self.assertLess(np.count_nonzero(picture.face.reshape(30, 40) != face), 3)  # where an edge meets the pixel
+                shown = picture.depth.reshape(30, 40)
+                np.testing.assert_allclose(shown[face >= 0], depth[face >= 0], atol=1e-4)  # of float32
 
     def test_a_ply_never_shows_through_one_above_it(self):
         # 0.25 mm apart, large elements above small ones: by the depth of their middles most of the small ones would be nearer.

@@ -2,10 +2,9 @@
 """How weavefront-plot writes its files: test_files.py PATH/TO/weavefront-plot."""
 import os
 import resource
-import subprocess
 import unittest
 
-from plotter import PLOT, OnFolder, plot
+from plotter import ENVIRONMENT, OnFolder, plot
 from synthetic_run import write_run
 
 
@@ -59,15 +58,14 @@ class Files(OnFolder):
     def test_nobody_need_read_the_list_of_pictures(self):
         reading, writing = os.pipe()
         os.close(reading)
-        command = [PLOT, self.run_folder, "--only", "history,energies", "--output", self.output]
-        done = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, text=True, check=False)
+        done = plot(self.run_folder, "--only", "history,energies", "--output", self.output, stdout=writing)
         os.close(writing)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(sorted(os.listdir(self.output)), ["energies.png", "history.png"])
 
     def test_a_list_that_cannot_be_written_is_an_error(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
-            done = subprocess.run([PLOT, *self.call], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+            done = plot(*self.call, stdout=full)
         self.assertEqual((done.returncode, done.stderr), (3, "weavefront-plot: error: standard output: No space left on device\n"))
 
     def test_names_of_folders_may_be_any_bytes(self):
@@ -77,8 +75,7 @@ class Files(OnFolder):
 
     def test_settings_of_the_user_do_not_count(self):
         (self.output / "matplotlibrc").write_text("text.usetex: True\nfigure.dpi: 1\n", encoding="utf-8")
-        environment = {**os.environ, "MPLBACKEND": "nonsense"}
-        done = subprocess.run([PLOT, *map(str, self.call)], cwd=self.output, env=environment, capture_output=True, text=True, check=False)
+        done = plot(*self.call, cwd=self.output, env={**ENVIRONMENT, "MPLBACKEND": "nonsense"})
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 

@@ -31,6 +31,12 @@ class Pictures(OnRuns):
         others = ["energies.png", "history.png", "pyramid.json", "section.png"]
         self.assertEqual(self.drawn(self.soft), ["contour_150us.png", *deformed_pictures, *others])
 
+    def test_rebound_takes_the_place_of_the_quarter_next_to_it(self):
+        fine = self.folder / "fine"
+        write_run(fine, count=4, plies=1, frames=21)
+        self.assertEqual(self.drawn(fine, "--only", "deformed"),
+                         ["deformed_100us.png", "deformed_140us.png", "deformed_200us.png", "deformed_50us.png"])
+
     def test_perforated_run(self):
         self.assertEqual(self.drawn(self.hard, "--only", "deformed,section", "--times", "25us,0.05ms", "--window", "3cm"),
                          ["deformed_25us.png", "deformed_50us.png", "section.png"])

@@ -53,9 +53,10 @@ class Fabric:
 
     def _moved(self, step):
         """Nodes of joined elements that are deflected."""
-        nodes = np.unique(self.quads[self.joined(step)])
-        height = np.abs(self.results.displacement(step)[nodes, 2])
-        return nodes[height > MOVED * max(height.max(initial=0.0), 1e-12)]
+        height = np.abs(self.results.displacement(step)[:, 2])
+        joined = np.zeros(len(height), dtype=bool)
+        joined[self.quads[self.joined(step)]] = True
+        return np.flatnonzero(joined & (height > MOVED * max(height[joined].max(initial=0.0), 1e-12)))
 
     def limits(self, impact, window):
         """Lowest and highest x and y of the target within the window, with a margin [2, 2]; in m."""

@@ -2,13 +2,14 @@
 import csv
 import io
 import stat
+from array import array
 
 import numpy as np
 
 from .failure import FileError, InputError
 from .option_values import short
 
-LARGEST_FILE = 1 << 28  # bytes
+LARGEST_FILE = 1 << 30  # bytes
 LARGEST = 1e100  # magnitude of a number that can be drawn
 
 
@@ -37,10 +38,10 @@ def read_columns(path, required=(), optional=(), growing=False):
     text = read_text(path)
     if growing:
         text = text[: text.rfind("\n") + 1]
-    lines = rows_of(path, text)
-    if not lines:
+    rows = rows_of(path, text)
+    names = [name.strip() for name in next(rows, (0, []))[1]]
+    if not names:
         raise InputError(f"{path}: empty, expected a header line")
-    names = [name.strip() for name in lines[0][1]]
     for name in required:
         if name not in names:
             raise InputError(f"{path}: no column '{name}'; it has {', '.join(map(short, names[:60]))}")
@@ -48,24 +49,23 @@ def read_columns(path, required=(), optional=(), growing=False):
     for name in wanted:
         if names.count(name) > 1:
             raise InputError(f"{path}: two columns '{name}'")
-    if not lines[1:]:
+    places, table = [names.index(name) for name in wanted], array("d")
+    for line, row in rows:
+        table.extend(numbers(path, line, names, row, places))
+    if not table:
         raise InputError(f"{path}: no rows below the header")
-    places = [names.index(name) for name in wanted]
-    table = np.array([numbers(path, line, names, row, places) for line, row in lines[1:]])
-    return dict(zip(wanted, table.T))
+    return dict(zip(wanted, np.array(table).reshape(-1, len(wanted)).T))
 
 
 def rows_of(path, text):
     """Number and values of each line that is neither empty nor a comment."""
     reader = csv.reader(io.StringIO(text, newline=""))
-    rows = []
     try:
         for row in reader:
             if row and not row[0].lstrip().startswith("#"):
-                rows.append((reader.line_num, row))
+                yield reader.line_num, row
     except csv.Error as error:
         raise InputError(f"{path}:{reader.line_num}: {error}") from None
-    return rows
 
 
 def numbers(path, line, names, row, places):

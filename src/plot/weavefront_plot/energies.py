@@ -3,12 +3,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from .style import BLUE, BROWN, FAINT, GREEN, INK, ORANGE, PINK, PURPLE, RED, save_figure
+from .text import literal
 
 LEDGER = (("kinetic_projectile", "Kinetic, projectile", BLUE), ("kinetic_fabric", "Kinetic, fabric", ORANGE),
           ("internal", "Internal", GREEN), ("contact", "Contact", PURPLE), ("hourglass", "Hourglass", RED),
           ("friction", "Friction", BROWN), ("damping", "Damping", PINK), ("external", "External work", FAINT),
           ("eroded", "Hourglass, let go with broken\nyarns and eroded elements", "#4d9a9a"))
-FLOOR = 1e-3  # percent; smaller shares are not worth a decade of the picture
+FLOOR, CEILING = 1e-3, 1e6  # percent; smaller shares are not worth a decade of the picture
+LONGEST = 90  # letters of a title
 
 
 def draw_energies(run, path):
@@ -16,7 +18,7 @@ def draw_energies(run, path):
     rows = run.history
     time = rows["time"] * 1e6
     entries = [(rows[name], label, colour) for name, label, colour in LEDGER if name in rows and np.any(rows[name])]
-    initial = max(rows["kinetic_projectile"][0] + rows["kinetic_fabric"][0] + rows["internal"][0], 1e-300)
+    initial = max(rows["kinetic_projectile"][0] + rows["kinetic_fabric"][0] + rows["internal"][0], 1e-100)
     figure, (energy, share) = plt.subplots(2, 1, figsize=(6.6, 5.2), sharex=True, gridspec_kw={"height_ratios": [2, 1], "hspace": 0.1})
     for values, label, colour in entries:
         small = np.abs(values).max() < 0.1 * initial
@@ -37,10 +39,10 @@ def draw_energies(run, path):
     share.set_xlim(time[0], time[-1] if time[-1] > time[0] else time[0] + 1)
     energy.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0, handlelength=1.6)
     figure.align_ylabels([energy, share])
-    energy.set_title(run.title, loc="left")
+    literal(energy.set_title("", loc="left"), run.title, LONGEST)
     save_figure(figure, path)
 
 
 def percent(share):
     """Absolute values in percent; those under the floor are drawn on it."""
-    return np.maximum(100 * np.abs(share), FLOOR)
+    return np.clip(100 * np.abs(share), FLOOR, CEILING)

@@ -19,13 +19,17 @@ def crossings(points, quads, side, values):
     return values[a] + part * (values[b] - values[a]), cells
 
 
-def cut(points, quads, normal):
-    """Segments [k, 2, 3] of the quads on the vertical plane through the axis with this horizontal normal, and the quad of each.
+def beside(points, normal, through):
+    """Distance [n] of the points from the vertical plane with this horizontal normal through a point.
 
     The plane stands a hair inside, so that the edge of a half or quarter model that lies on it is found.
     """
-    side = points[:, :2] @ np.asarray(normal, dtype=float)
-    return crossings(points, quads, side - 1e-6 * np.abs(points[:, :2]).max(initial=1e-9), points)
+    return (points[:, :2] - through) @ np.asarray(normal, dtype=float) - 1e-6 * np.abs(points[:, :2]).max(initial=1e-9)
+
+
+def cut(points, quads, normal, through):
+    """Segments [k, 2, 3] of the quads on the plane of `beside`, and the quad of each."""
+    return crossings(points, quads, beside(points, normal, through), points)
 
 
 def images(symmetry):
@@ -44,14 +48,17 @@ def spacing(reference, quads, ply):
     return float(np.diff(heights).min()) if len(heights) > 1 else 0.2e-3
 
 
-def extent(points, quads, height, level, direction):
-    """How far from the axis, along the horizontal `direction`, the outermost crossing of height [n] = level lies; None if nowhere."""
+def extent(points, quads, height, level, origin, direction):
+    """Distance from `origin` of the outermost point in the horizontal `direction` where height [n] is `level`.
+
+    None where there is no such point.
+    """
     unit = np.asarray(direction, dtype=float) / np.hypot(*direction)
     normal = np.array([-unit[1], unit[0]])
     if normal.sum() < 0:
         normal = -normal
-    side = points[:, :2] @ normal - 1e-6 * np.abs(points[:, :2]).max()
-    segments, _ = crossings(points, quads, side, np.column_stack([points[:, :2] @ unit, height]))
+    radius = (points[:, :2] - origin) @ unit
+    segments, _ = crossings(points, quads, beside(points, normal, origin), np.column_stack([radius, height]))
     radius, value = segments[..., 0], segments[..., 1] - level
     across = (value[:, 0] * value[:, 1] <= 0) & (value[:, 0] != value[:, 1])
     radius, value = radius[across], value[across]

@@ -1,5 +1,6 @@
 """The look that all pictures share, and how they are written."""
-import os
+import io
+import warnings
 
 import matplotlib
 
@@ -7,8 +8,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.colors import LinearSegmentedColormap
 
-from .failure import FileError
+from .picture_file import write
 
+DPI = 220  # of pictures that are made of pixels
 INK = "#222222"
 FAINT = "#8a8a8a"
 BLUE, ORANGE, GREEN, RED = "#2a6fb0", "#d9730d", "#2f8f5b", "#b3312c"
@@ -26,7 +28,9 @@ PLIES = colours("viridis", 0.0, 0.9)
 
 
 def apply():
-    """Sets matplotlib's defaults."""
+    """Sets matplotlib's defaults, whatever the user's own are."""
+    matplotlib.rcdefaults()
+    warnings.filterwarnings("ignore", message="Glyph .* missing")  # a title in letters that the font has not got
     plt.rcParams.update({
         "font.family": "sans-serif", "font.size": 9, "axes.labelsize": 9, "axes.titlesize": 9.5, "legend.fontsize": 8.5,
         "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK,
@@ -37,21 +41,11 @@ def apply():
     })
 
 
-def write(path, save):
-    """Calls save(temporary path) and renames its result to `path`, so that no half-written file is ever seen."""
-    temporary = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        save(temporary)
-        os.replace(temporary, path)
-    except OSError as error:
-        raise FileError(f"{path}: {error.strerror}") from None
-    finally:
-        temporary.unlink(missing_ok=True)
-    print(path)
-
 
 def save_figure(figure, path, tight=True):
     """Writes the figure in the format that the name's ending says, and closes it."""
     box = {"bbox_inches": "tight", "pad_inches": 0.06} if tight else {}
-    write(path, lambda temporary: figure.savefig(temporary, format=path.suffix[1:], dpi=220, **box))
+    picture = io.BytesIO()  # matplotlib's writers do not all survive a full disk
+    figure.savefig(picture, format=path.suffix[1:], dpi=DPI, **box)
     plt.close(figure)
+    write(path, lambda temporary: temporary.write_bytes(picture.getbuffer()))

@@ -7,6 +7,7 @@ from .style import INK, colours, save_figure
 from .tables import read_columns
 
 MARKERS = {19: ("o", "primary bonds fail (19)"), 20: ("s", "secondary bonds fail (20)")}
+MOST = 60  # rates
 
 
 def marker(failure, colour):
@@ -21,6 +22,8 @@ def draw_yarn(source, path):
     if unknown:
         raise InputError(f"{source}: failure {min(unknown):g} is none of 0, 19, 20")
     rates = np.unique(rows["rate"])
+    if len(rates) > MOST:
+        raise InputError(f"{source}: {len(rates)} rates; one picture has room for {MOST}")
     shades = colours("viridis", 0.0, 0.88)
     figure, axes = plt.subplots(figsize=(5.4, 4.1))
     met = set()

@@ -59,8 +59,9 @@ io::Topology topology_of(const solver::Simulation& simulation) {
     return topology;
 }
 
-io::Frame frame_of(const solver::Simulation& simulation, const std::vector<scene::Field>& fields) {
-    const auto& model = simulation.model();
+io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Field>& fields) {
+    const auto& fabric = simulation.joined_fabric();
+    const auto& model = std::as_const(simulation).model();
     const auto& nodes = model.nodes;
     const auto owned = owned_nodes(nodes);
     io::Frame frame;
@@ -96,14 +97,17 @@ io::Frame frame_of(const solver::Simulation& simulation, const std::vector<scene
         if (wanted(fields, field.field)) cells.push_back(field);
     const auto elements = model.places.size();
     for (const auto& field : cells) frame.cell_data.push_back({field.name, 1, field.integer, std::vector<double>(elements), {}});
+    io::Array joined{"joined", 1, true, std::vector<double>(elements), {}};
     frame.eroded.reserve(elements);
     for (std::size_t e = 0; e < elements; ++e) {
+        joined.values[e] = fabric.has_element(model, e) ? 1 : 0;
         const auto place = model.places[e];
         frame.eroded.push_back(!model.groups[static_cast<std::size_t>(place.group)]->alive(place.index));
         if (cells.empty()) continue;
         const auto output = simulation.element_output(static_cast<std::int32_t>(e));
         for (std::size_t c = 0; c < cells.size(); ++c) frame.cell_data[c].values[e] = finite(cells[c].value(output));
     }
+    frame.cell_data.push_back(std::move(joined));
     return frame;
 }
 

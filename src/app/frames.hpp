@@ -13,7 +13,7 @@ namespace weavefront::app {
 io::Topology topology_of(const solver::Simulation& simulation);
 
 /// The present state, with the fields that the scene asks for. A number that is not finite, as a run stopped by the guard may hold, becomes
-/// zero: it never reaches a file.
-io::Frame frame_of(const solver::Simulation& simulation, const std::vector<scene::Field>& fields);
+/// zero: it never reaches a file. @note Collective
+io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Field>& fields);
 
 }  // namespace weavefront::app

@@ -17,6 +17,7 @@
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/load_watch.hpp"
+#include "weavefront/solver/outcome.hpp"
 #include "weavefront/solver/simulation.hpp"
 
 namespace weavefront::app {
@@ -98,13 +99,16 @@ class Impact::Parts {
                 last_ = simulation_.balance();
                 require_balance();
             }
-            if (frames_.due(simulation_.time()) || end) write_frame();
-            if (end) return;
+            const bool is_last = end || (balanced_ == simulation_.steps() && is_decided());
+            if (frames_.due(simulation_.time()) || is_last) write_frame();
+            if (is_last) return;
             simulation_.integrate();
             if (load_) rebalance();
             progress.update(simulation_.time(), simulation_.steps(), report_.projectile_text(simulation_));
         }
     }
+
+    [[nodiscard]] bool is_decided() const { return scene_.time.stop == scene::Stop::decided && solver::is_settled(simulation_, last_); }
 
     void rebalance() {
         const auto better = load_->look(simulation_, comm_);
@@ -134,7 +138,7 @@ class Impact::Parts {
         results_.write(frame_of(simulation_, scene_.output.fields));
     }
 
-    [[nodiscard]] io::ResultsSetup setup() const {
+    [[nodiscard]] io::ResultsSetup setup() {
         const double interval = scene_.output.interval;
         // First and last frame, those in between, and one for a run stopped by the guard.
         const auto most = (interval > 0 ? static_cast<std::int64_t>(std::ceil(scene_.time.end / interval)) : 0) + 3;

@@ -6,19 +6,18 @@
 #include <algorithm>
 #include <limits>
 
+#include "closing_warnings.hpp"
 #include "doubts.hpp"
 #include "left_out.hpp"
 #include "versions.hpp"
 #include "weavefront/io/progress.hpp"
 #include "weavefront/io/summary.hpp"
 #include "weavefront/parallel/all_to_all.hpp"
+#include "weavefront/solver/outcome.hpp"
 
 namespace weavefront::app {
 
 namespace {
-
-// The share of the internal energy from which hourglass energy is commonly questioned, where it is not nothing beside what was handed over.
-constexpr double most_hourglass = 0.1, negligible = 1e-3;
 
 std::array<double, 3> array_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -49,6 +48,29 @@ std::vector<std::optional<double>> first_breaks(const solver::Counts& counts, co
         times.push_back(first < std::numeric_limits<double>::max() ? std::optional(first) : std::nullopt);
     }
     return times;
+}
+
+/// @note Collective
+io::ShotOutcome shot_outcome(const solver::Simulation& simulation) {
+    const auto found = solver::outcome_of(simulation);
+    const auto deepest = simulation.deepest();
+    io::ShotOutcome outcome;
+    outcome.verdict = solver::name_of(found.verdict);
+    outcome.decided_at = found.decided_at;
+    outcome.plies_perforated = found.plies_perforated;
+    outcome.peak_back_face_deflection = simulation.counts().back_face_deflection;
+    if (deepest.element < 0) return outcome;
+    outcome.deepest_penetration = deepest.overlap;
+    outcome.deepest_at = array_of(deepest.place);
+    outcome.deepest_ply = deepest.element / simulation.panel().columns() + 1;
+    outcome.deepest_time = deepest.time;
+    return outcome;
+}
+
+std::string outcome_text(const io::ShotOutcome& outcome, std::size_t plies) {
+    const auto when = outcome.decided_at ? fmt::format(" at t = {:.4g} us", *outcome.decided_at * 1e6) : std::string();
+    return fmt::format("{}{}: {} of {} plies perforated, back face at most {:.3f} mm", outcome.verdict, when, outcome.plies_perforated,
+                       plies, outcome.peak_back_face_deflection * 1e3);
 }
 
 }  // namespace
@@ -138,7 +160,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     const double computed = seconds_since(computing_);
     simulation.seconds()[static_cast<std::size_t>(solver::Phase::setup)] = seconds_since(begin_) - computed;
     summary.status = stopped ? "stopped" : "finished";
-    summary.reason = stopped.value_or("end time reached");
+    summary.reason = stopped.value_or(simulation.time() < scene_.time.end ? "the outcome is decided" : "end time reached");
     summary.versions = library_versions();
     summary.scene_hash = scene_.hash;
     summary.title = scene_.title;
@@ -152,7 +174,10 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     const double wall = comm_.max(computed);
     summary.nanoseconds_per_element_step =
         wall * 1e9 * comm_.size() / static_cast<double>(std::max<std::int64_t>(summary.element_steps, 1));
-    if (scene_.projectile) summary.residual_velocity = last.projectile_velocity.z();
+    if (scene_.projectile) {
+        summary.residual_velocity = last.projectile_velocity.z();
+        summary.outcome = shot_outcome(simulation);
+    }
     summary.max_displacement = simulation.counts().max_displacement;
     summary.back_face_deflection = simulation.counts().back_face_deflection;
     summary.energy_error = last.energy_error;
@@ -163,6 +188,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
 
     log_.info(fmt::format("{} at t = {:.6g} us after {} steps: {}", stopped ? "Stopped" : "Finished", summary.time * 1e6, summary.steps,
                           summary.reason));
+    if (summary.outcome) log_.info("  outcome       " + outcome_text(*summary.outcome, simulation.panel().plies.size()));
     if (summary.residual_velocity)
         log_.info(fmt::format("  projectile    {:.2f} m/s along z; largest displacement {:.3f} mm, of the back face {:.3f} mm",
                               *summary.residual_velocity, summary.max_displacement * 1e3, summary.back_face_deflection * 1e3));
@@ -172,17 +198,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
         "  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; fabric {:.3g} J, hourglass {:.3g} J, contact "
         "{:.3g} J",
         simulation.counts().largest_closure * 100, last.turnover, last.internal, last.hourglass, last.contact));
-    if (last.hourglass > std::max(most_hourglass * last.internal, negligible * last.turnover))
-        log_.warn(
-            fmt::format("the hourglass energy is {:.3g} % of the fabric's own: it deforms as finely as its elements, where a finer "
-                        "mesh might show more",
-                        last.hourglass / last.internal * 100));
-    if (scene_.projectile && array_of(last.projectile_velocity) == scene_.projectile->velocity)
-        log_.warn("the projectile never touched the target");
-    if (simulation.counts().lowest_contact_energy < 0)
-        log_.warn(fmt::format("contact gave energy: its work went down to {:.3g} J", simulation.counts().lowest_contact_energy));
-    if (simulation.counts().inverted > 0)
-        log_.warn(fmt::format("up to {} elements at a time were folded over themselves", simulation.counts().inverted));
+    for (const auto& warning : closing_warnings(scene_, simulation, last)) log_.warn(warning);
     for (const auto& phase : summary.wall_seconds)
         log_.info(fmt::format("  {:<13} {:.2f} / {:.2f} / {:.2f} s (least, mean, most over the ranks)", phase.name, phase.min, phase.mean,
                               phase.max));

@@ -11,27 +11,31 @@ FrameShape::FrameShape(const scene::Frame& frame, double top, double offset)
         if (half) *half -= offset;
 }
 
+std::optional<Depth> FrameShape::depth_in_bar(const Vec3& point, int axis, double outward) const {
+    const auto& half = half_opening_[static_cast<std::size_t>(axis)];
+    if (!half) return std::nullopt;
+    const double below_top = point.z() - top_, behind_side = outward * point[axis] - *half;
+    if (below_top <= 0 || behind_side <= 0) return std::nullopt;
+    Depth found{std::min(below_top, behind_side), Vec3::Zero()};
+    const double into_x = edge_ - behind_side, into_z = edge_ - below_top;
+    if (into_x > 0 && into_z > 0) {
+        const double distance = std::sqrt(into_x * into_x + into_z * into_z);
+        found.depth = edge_ - distance;
+        found.normal[axis] = -outward * into_x / distance;
+        found.normal.z() = -into_z / distance;
+    } else if (behind_side < below_top) {
+        found.normal[axis] = -outward;
+    } else {
+        found.normal.z() = -1;
+    }
+    return found.depth > 0 ? std::optional(found) : std::nullopt;
+}
+
 std::optional<Depth> FrameShape::depth(const Vec3& point) const {
     std::optional<Depth> deepest;
-    const double below_top = point.z() - top_;
     for (int axis = 0; axis < 2; ++axis) {
-        const auto& half = half_opening_[static_cast<std::size_t>(axis)];
-        if (!half) continue;
-        const double outward = point[axis] < 0 ? -1 : 1, behind_side = outward * point[axis] - *half;
-        if (below_top <= 0 || behind_side <= 0) continue;
-        Depth found{std::min(below_top, behind_side), Vec3::Zero()};
-        const double into_x = edge_ - behind_side, into_z = edge_ - below_top;
-        if (into_x > 0 && into_z > 0) {
-            const double distance = std::sqrt(into_x * into_x + into_z * into_z);
-            found.depth = edge_ - distance;
-            found.normal[axis] = -outward * into_x / distance;
-            found.normal.z() = -into_z / distance;
-        } else if (behind_side < below_top) {
-            found.normal[axis] = -outward;
-        } else {
-            found.normal.z() = -1;
-        }
-        if (found.depth > 0 && (!deepest || found.depth > deepest->depth)) deepest = found;
+        const auto found = depth_in_bar(point, axis, point[axis] < 0 ? -1 : 1);
+        if (found && (!deepest || found->depth > deepest->depth)) deepest = found;
     }
     return deepest;
 }

@@ -250,6 +250,30 @@ void PlyContact::evaluate(const Surface& surface, NodalNormals& normals, std::sp
     for (std::int32_t g = 0; g < approach_.groups(); ++g) evaluate_group(g, {surface, normals, x, v, dt, sliding_share}, forces);
 }
 
+std::vector<std::int32_t> PlyContact::behind_next_ply(const Surface& surface, std::span<const Vec3> x) const {
+    const auto counts = [&](std::int32_t f) {
+        const auto i = static_cast<std::size_t>(f);
+        return surface.alive[i] && (surface.on_rim.empty() || !surface.on_rim[i]);
+    };
+    std::vector<std::int32_t> behind;
+    for (std::int32_t f = 0; f < surface.owned; ++f) {
+        if (!counts(f)) continue;
+        const auto& facet = surface.facets[static_cast<std::size_t>(f)];
+        const auto corners = corners_of(facet.nodes, x);
+        const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
+        const auto ray = one_ray(centre_of(corners), normal);
+        for (const auto other : candidates_.of(f)) {
+            const auto& of_next = surface.facets[static_cast<std::size_t>(other)];
+            if (of_next.ply != facet.ply + 1 || !counts(other)) continue;
+            const auto hits = meet(ray, corners_of(of_next.nodes, x));
+            if (!hits.hit[0] || hits.distance[0] > -touching_.between(facet.ply, of_next.ply)) continue;
+            behind.push_back(f);
+            break;
+        }
+    }
+    return behind;
+}
+
 void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {
     record.insert(record.end(), {reserves_[static_cast<std::size_t>(facet)], memory_.holds(facet) ? 1.0 : 0.0});
     if (!memory_.holds(facet)) return;

@@ -11,6 +11,15 @@ constexpr double edge_tolerance = 1e-9;
 
 }  // namespace
 
+Rays one_ray(const Vec3& origin, const Vec3& direction) {
+    Rays rays;
+    for (std::size_t i = 0; i < batch_width; ++i) {
+        rays.origin.x[i] = origin.x(), rays.origin.y[i] = origin.y(), rays.origin.z[i] = origin.z();
+        rays.direction.x[i] = direction.x(), rays.direction.y[i] = direction.y(), rays.direction.z[i] = direction.z();
+    }
+    return rays;
+}
+
 // Seen along the direction n, with the diagonals e = c2 - c0 and f = c3 - c1, corner a has the coordinates u_a = r_a.(n x e) and
 // w_a = r_a.(n x f). As u_0 = u_2 and w_1 = w_3, the line's point obeys, with N = n.(e x f),
 //     xi - eta = d0 + d3 m,    xi + eta = s0 + s3 m,    m = xi eta,

@@ -15,6 +15,18 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+Json to_json(const std::optional<ShotOutcome>& outcome) {
+    if (!outcome) return {};
+    return {{"verdict", outcome->verdict},
+            {"decided_at", to_json(outcome->decided_at)},
+            {"plies_perforated", outcome->plies_perforated},
+            {"peak_back_face_deflection", outcome->peak_back_face_deflection},
+            {"deepest_penetration", outcome->deepest_penetration},
+            {"deepest_at", outcome->deepest_at},
+            {"deepest_ply", outcome->deepest_ply},
+            {"deepest_time", to_json(outcome->deepest_time)}};
+}
+
 Json to_json(const Summary& summary) {
     Json phases = Json::object();
     Json first_break = Json::array();
@@ -33,6 +45,7 @@ Json to_json(const Summary& summary) {
             {"wall_seconds", phases},
             {"element_steps", summary.element_steps},
             {"nanoseconds_per_element_step", summary.nanoseconds_per_element_step},
+            {"outcome", to_json(summary.outcome)},
             {"residual_velocity", to_json(summary.residual_velocity)},
             {"max_displacement", summary.max_displacement},
             {"back_face_deflection", summary.back_face_deflection},

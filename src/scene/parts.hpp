@@ -24,7 +24,7 @@ std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics, co
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);
 
 /// `contact`. @param target null: there is none
-Contact read_contact(Section& section, const Target* target);
+Contact read_contact(Section& section, const Target* target, const Projectile* projectile);
 
 /// `time`.
 Scene::Time read_time(Section& section);

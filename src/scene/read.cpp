@@ -29,7 +29,9 @@ Scene read_parts(Section& root, Need need) {
     scene.target = read_part(root, "target", need, [&](Section& section) { return read_target(section, scene.fabrics); });
     const Target* target = scene.target ? &*scene.target : nullptr;
     scene.projectile = root.optional("projectile", [&](Section& section) { return read_projectile(section, scene.fabrics, target); });
-    scene.contact = root.optional("contact", [&](Section& section) { return read_contact(section, target); }).value_or(scene.contact);
+    const Projectile* projectile = scene.projectile ? &*scene.projectile : nullptr;
+    scene.contact =
+        root.optional("contact", [&](Section& section) { return read_contact(section, target, projectile); }).value_or(scene.contact);
     scene.damping = root.quantity("damping", rate, non_negative, 0);
     scene.time = read_part(root, "time", need, read_time).value_or(scene.time);
     scene.limits = root.optional("limits", read_limits).value_or(scene.limits);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "parts.hpp"
 
 namespace weavefront::scene {
@@ -14,11 +16,22 @@ ContactLaw read_law(Section& section, const ContactLaw& otherwise) {
     return law;
 }
 
+// So many points across the projectile integrate its pressure within some 2 %.
+constexpr double points_across = 16;
+
+/// Fine enough for the projectile; where it is tiny, a hundredth of the largest element.
+double default_spacing(const Target* target, const Projectile* projectile) {
+    const double spacing = *Contact{}.spacing;
+    if (projectile == nullptr || target == nullptr) return spacing;
+    const double across = std::max(projectile->diameter / points_across, target->mesh.edge / 100);
+    return across < spacing ? across : spacing;  // also where it is not a number
+}
+
 /// @param target none: any spacing will do
-std::optional<double> read_point_spacing(Section& section, const Target* target) {
+std::optional<double> read_point_spacing(Section& section, const Target* target, const Projectile* projectile) {
     constexpr double most_along_edge = 1000;  // far below what a projectile's edge resolves, and memory of every point
     if (section.says("spacing", "nodes")) return std::nullopt;
-    const double spacing = section.quantity("spacing", length, positive, Contact{}.spacing);
+    const double spacing = section.quantity("spacing", length, positive, default_spacing(target, projectile));
     section.refuse_if(target != nullptr && spacing < target->mesh.edge / most_along_edge, "spacing",
                       "at least a thousandth of the elements at the edge (target.mesh.edge)");
     return spacing;
@@ -26,12 +39,12 @@ std::optional<double> read_point_spacing(Section& section, const Target* target)
 
 }  // namespace
 
-Contact read_contact(Section& section, const Target* target) {
+Contact read_contact(Section& section, const Target* target, const Projectile* projectile) {
     Contact contact;
     // Of the order of a yarn's transverse modulus over one ply spacing.
     const ContactLaw rigid = contact.frame;
     const ContactLaw plies{.stiffness = 1.1e13, .unloading = 10, .damping = 0.2};
-    contact.spacing = read_point_spacing(section, target);
+    contact.spacing = read_point_spacing(section, target, projectile);
     contact.projectile = section.optional("projectile", [&](Section& law) { return read_law(law, rigid); });
     contact.plies = section.optional("plies", [&](Section& law) { return read_law(law, plies); });
     contact.frame = section.optional("frame", [&](Section& law) { return read_law(law, rigid); }).value_or(rigid);

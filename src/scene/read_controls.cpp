@@ -16,6 +16,7 @@ Scene::Time read_time(Section& section) {
     Scene::Time time;
     time.end = section.quantity("end", duration, positive);
     time.safety = section.quantity("safety", ratio, safety_factor, time.safety);
+    time.stop = section.choice("stop", stop_names, time.stop);
     section.unavailable({"subcycling"});
     return time;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +50,16 @@ Lateral read_lateral(Section& section, const Yarn& yarn) {
     return lateral;
 }
 
+// Plain weaves take up one to four per cent of yarn by their crimp; more is no geometry of the fabric.
+constexpr double most_crimp = 0.05;
+
+/// Distance at which two plies touch when nothing is said: the fabric's own thickness. A crimp height that stands for more than the geometry
+/// says nothing of it, and fibre without air is the least.
+double default_contact_thickness(const Fabric& fabric) {
+    const double slope = fabric.thickness / (2 * fabric.yarn.span), crimp = std::hypot(1, slope) - 1;
+    return crimp <= most_crimp ? std::max(fabric.thickness, fabric.effective_thickness()) : fabric.effective_thickness();
+}
+
 Fabric read_fabric(Section& section) {
     Fabric fabric;
     fabric.formulation = section.choice("formulation", formulation_names, fabric.formulation);
@@ -62,7 +73,7 @@ Fabric read_fabric(Section& section) {
     fabric.friction = section.quantity("friction", ratio, non_negative, 0);
     fabric.transverse_shear = section.quantity("transverse_shear", modulus, non_negative, 0);
     fabric.hourglass = section.quantity("hourglass", ratio, non_negative, fabric.hourglass);
-    fabric.contact_thickness = section.quantity("contact_thickness", length, positive, fabric.effective_thickness());
+    fabric.contact_thickness = section.quantity("contact_thickness", length, positive, default_contact_thickness(fabric));
     return fabric;
 }
 

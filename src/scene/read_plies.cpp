@@ -47,7 +47,7 @@ double read_spacing(Section& section, const Stack& stack, std::int32_t fabric, s
         section.refuse_if(section.has("spacing"), "gap", "either spacing or gap");
         return touching + section.quantity("gap", length, non_negative);
     }
-    const double spacing = section.quantity("spacing", length, positive);
+    const double spacing = section.quantity("spacing", length, positive, touching);
     const double rounding = 1e-12;
     section.refuse_if(spacing < touching * (1 - rounding), "spacing",
                       fmt::format("at least {:.6g} m, the mean contact thickness of the two plies", touching));
@@ -57,8 +57,7 @@ double read_spacing(Section& section, const Stack& stack, std::int32_t fabric, s
 std::vector<Ply> read_equal_plies(Section& section, const Stack& stack) {
     const std::int64_t count = section.count("count", most_plies);
     const Ply first = read_ply(section, stack);
-    const bool alone = count == 1 && !section.has("spacing") && !section.has("gap");
-    const double spacing = alone ? 0 : read_spacing(section, stack, first.fabric, first.fabric);
+    const double spacing = read_spacing(section, stack, first.fabric, first.fabric);
     std::vector<Ply> plies(static_cast<std::size_t>(count), first);
     for (std::size_t i = 1; i < plies.size(); ++i) plies[i].spacing = spacing;
     return plies;

@@ -115,7 +115,8 @@ std::string resolved_text(const Scene& scene) {
     if (scene.projectile) write_projectile(text, *scene.projectile);
     write_contact(text, scene.contact, scene.target && scene.target->frame);
     line(text, "damping: {} 1/s", scene.damping);
-    if (scene.time.end > 0) line(text, "time: {{end: {} s, safety: {}}}", scene.time.end, scene.time.safety);
+    if (scene.time.end > 0)
+        line(text, "time: {{end: {} s, safety: {}, stop: {}}}", scene.time.end, scene.time.safety, name_of(scene.time.stop, stop_names));
     line(text, "limits: {{energy_error: {}}}", scene.limits.energy_error);
     if (scene.output.history > 0) write_output(text, scene.output);
     return text;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "weavefront/parallel/all_to_all.hpp"
+#include "misses.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/simulation.hpp"
@@ -16,19 +16,6 @@ namespace {
 
 // Part of the energy scale that sums of millions of terms, each rounded to 2^-44 of it, resolve to far better than any limit.
 constexpr double resolved = 0x1p-20;
-
-/// The deepest of all ranks. @note Collective
-contact::Deepest deepest_of_all(const contact::Deepest& local, const parallel::Communicator& comm) {
-    struct Plain {
-        double overlap, in_thicknesses, x, y, z;
-        std::int64_t element;
-    };
-    const auto& p = local.place;
-    contact::Deepest deepest;
-    for (const auto& of_rank : parallel::all_gather(comm, Plain{local.overlap, local.in_thicknesses, p.x(), p.y(), p.z(), local.element}))
-        deepest.include({of_rank.overlap, of_rank.in_thicknesses, Vec3(of_rank.x, of_rank.y, of_rank.z), of_rank.element});
-    return deepest;
-}
 
 }  // namespace
 
@@ -141,7 +128,7 @@ Simulation::Displacements Simulation::displacements(LedgerSums& sums) const {
         }
     if (!joined_.is_whole())
         for (std::size_t e = 0; e < static_cast<std::size_t>(model_.surface.owned); ++e)
-            if (model_.surface.alive[e] && !joined_.has_element(model_, e)) ++sums[LedgerSums::debris_elements];
+            if (joined_.is_debris(model_, e)) ++sums[LedgerSums::debris_elements];
     return {comm_.max(largest.of_joined), comm_.max(largest.of_back_face), comm_.max(largest.of_debris)};
 }
 

@@ -129,9 +129,12 @@ void JoinedFabric::find(const Model& model, const mesh::Panel& panel, const para
     }
 }
 
-bool JoinedFabric::has_element(const Model& model, std::size_t element) const {
+bool JoinedFabric::is_eroded(const Model& model, std::size_t element) {
     const auto place = model.places[element];
-    if (!model.groups[static_cast<std::size_t>(place.group)]->alive(place.index)) return false;
+    return !model.groups[static_cast<std::size_t>(place.group)]->alive(place.index);
+}
+
+bool JoinedFabric::is_at_joined_node(const Model& model, std::size_t element) const {
     return std::ranges::any_of(model.surface.facets[element].nodes, [&](auto node) { return has_node(static_cast<std::size_t>(node)); });
 }
 

@@ -155,6 +155,10 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const par
         model.ply_contact.emplace(*scene.contact.plies, scene.contact.spacing, model.surface, model.nodes.x);
     if (scene.target->frame)
         model.frame_contact.emplace(*scene.target->frame, scene.contact.frame, scene.contact.spacing, model.surface, model.nodes.x);
+    if (scene.target->frame && scene.projectile && scene.contact.projectile) {
+        const auto& last = model.surface.plies.back();
+        model.projectile_on_frame.emplace(*scene.projectile, *scene.target->frame, *scene.contact.projectile, last.z + last.thickness / 2);
+    }
     return model;
 }
 

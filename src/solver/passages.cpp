@@ -15,29 +15,37 @@ constexpr auto none = std::numeric_limits<std::int64_t>::max();
 std::optional<double> height_at(const std::array<Vec3, 4>& corners, const Vec3& point) {
     const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
     const double direction = normal.z() < 0 ? -1 : 1;
-    contact::Rays rays;
-    std::ranges::fill(rays.origin.x.of, point.x());
-    std::ranges::fill(rays.origin.y.of, point.y());
-    std::ranges::fill(rays.origin.z.of, point.z());
-    std::ranges::fill(rays.direction.x.of, 0);
-    std::ranges::fill(rays.direction.y.of, 0);
-    std::ranges::fill(rays.direction.z.of, direction);
-    const auto hits = contact::meet(rays, corners);
+    const auto hits = contact::meet(contact::one_ray(point, {0, 0, direction}), corners);
     if (!hits.hit[0]) return std::nullopt;
     return point.z() + direction * hits.distance[0];
 }
 
 /// What of a ply is around the projectile's middle.
 struct Around {
-    bool ahead = false;          ///< fabric within the radius that is not behind it
+    bool ahead = false;          ///< fabric within the radius that is not behind it, or any that presses on it
     std::int64_t across = none;  ///< lowest element across its axis behind it
 };
 
-std::vector<Around> look_around(const Model& model, const Vec3& middle, double radius) {
-    std::vector<Around> plies(model.surface.plies.size());
+/// Whether an owned facet belongs to the target and is neither torn nor next to what is.
+bool is_sound(const Model& model, const JoinedFabric& fabric, std::size_t facet) {
+    const auto& surface = model.surface;
+    if (!fabric.has_element(model, facet) || (!surface.on_rim.empty() && surface.on_rim[facet])) return false;
+    const auto place = model.places[facet];
+    const auto intact = model.groups[static_cast<std::size_t>(place.group)]->intact_yarns(place.index);
+    return intact.fill && intact.warp;
+}
+
+std::vector<Around> look_around(const Model& model, const JoinedFabric& fabric, std::span<const contact::PairForce> pairs,
+                                const Vec3& middle, double radius) {
+    const auto& surface = model.surface;
+    std::vector<Around> plies(surface.plies.size());
+    const auto nodes_of_ply = model.nodes.count / static_cast<std::int32_t>(plies.size());
+    for (const auto& pair : pairs)
+        if (pair.kind == contact::Master::projectile) plies[static_cast<std::size_t>(pair.slave[0] / nodes_of_ply)].ahead = true;
     for (const auto f : model.projectile_contact->candidates()) {
-        const auto& facet = model.surface.facets[static_cast<std::size_t>(f)];
-        if (!model.surface.alive[static_cast<std::size_t>(f)]) continue;
+        const auto i = static_cast<std::size_t>(f);
+        const auto& facet = surface.facets[i];
+        if (!is_sound(model, fabric, i)) continue;
         auto& ply = plies[static_cast<std::size_t>(facet.ply)];
         const auto corners = contact::corners_of(facet.nodes, model.nodes.x);
         const auto box = contact::Box::around(corners);
@@ -93,9 +101,9 @@ bool Passages::all() const {
     return std::ranges::all_of(plies_, [](const auto& passage) { return passage.has_value(); });
 }
 
-void Passages::look(const Model& model, const mesh::Panel& panel, const Vec3& middle, double radius, double time,
-                    const parallel::Communicator& comm) {
-    const auto around = look_around(model, middle, radius);
+void Passages::look(const Model& model, const JoinedFabric& fabric, const mesh::Panel& panel, std::span<const contact::PairForce> pairs,
+                    const Vec3& middle, double radius, double time, const parallel::Communicator& comm) {
+    const auto around = look_around(model, fabric, pairs, middle, radius);
     std::vector<std::int64_t> ahead(plies_.size(), 0);
     for (std::size_t p = 0; p < plies_.size(); ++p) ahead[p] = around[p].ahead && !plies_[p] ? 1 : 0;
     comm.sum(ahead);

@@ -56,6 +56,7 @@ Model redistribute(const scene::Scene& scene, const mesh::Panel& panel, const pa
                    const parallel::Communicator& comm) {
     auto next = build_model(scene, panel, decomposition, comm);
     next.projectile = model.projectile;
+    next.projectile_on_frame = model.projectile_on_frame;
     std::vector<std::vector<double>> leaving(static_cast<std::size_t>(comm.size()));
     for (std::int32_t e = 0; e < model.surface.owned; ++e) {
         const auto column = static_cast<std::size_t>(model.global.element_ids[static_cast<std::size_t>(e)] % panel.columns());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "misses.hpp"
 #include "rim.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/motion.hpp"
@@ -192,8 +193,10 @@ void Simulation::evaluate_contact() {
         model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_frame), contact_);
     book_sliding(of_frame);
     for (const auto& pair : contact_.pairs) model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
+    if (model_.projectile_on_frame) frame_force_ = without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, last_dt_));
     count_contact_work(last_dt_);
-    if (counts_.deepest.include(contact_.deepest)) counts_.deepest_at = time_;
+    contact_.deepest.time = time_;
+    counts_.deepest.include(contact_.deepest);
 }
 
 void Simulation::book_sliding(ContactKind kind) {
@@ -215,6 +218,8 @@ void Simulation::count_contact_work(double dt) {
         }
         add_energy(contact_work_, -power * dt / 2);
     }
+    if (frame_force_ != Vec3::Zero() && comm_.rank() == 0)  // of the whole target, which the ledger has from its part
+        add_energy(contact_work_, -frame_force_.dot(model_.projectile->velocity) * dt / 2 / multiplicity_);
 }
 
 void Simulation::sum_over_ranks() {
@@ -242,8 +247,8 @@ void Simulation::sum_over_ranks() {
     comm_.sum(sums);
     for (std::size_t kind = 0; kind < contact_kinds; ++kind) sliding_[kind].book(sums[released + kind], sums[wanted + kind]);
     model_.exchange.finish(model_.nodes.force);
-    projectile_force_ = whole_force({sums[x], sums[y], sums[z]});
-    counts_.touched = counts_.touched || projectile_force_ != Vec3::Zero();
+    projectile_force_ = without_mirrored(multiplicity_ * model_.assembly.value({sums[x], sums[y], sums[z]})) + frame_force_;
+    if (projectile_force_ != Vec3::Zero()) counts_.touched = true, counts_.last_touched = time_;
     torn_ = torn_ || sums[eroded] > 0;
     candidates_outdated_ = sums[eroded] > 0 || sums[left] > 0;
     stiffened_ = sums[stiff] > 0;
@@ -263,8 +268,7 @@ void Simulation::stop_at_fault() const {
                     where, limit, time_ * 1e6, steps_));
 }
 
-Vec3 Simulation::whole_force(const FixedVector& on_part) const {
-    Vec3 force = multiplicity_ * model_.assembly.value(on_part);
+Vec3 Simulation::without_mirrored(Vec3 force) const {
     for (int d = 0; d < 2; ++d)
         if (panel_.symmetry[static_cast<std::size_t>(d)]) force[d] = 0;  // the mirror image pushes back
     return force;
@@ -322,8 +326,12 @@ void Simulation::look_for_passages() {
     const double length = projectile.shape == scene::Shape::sphere ? projectile.diameter : projectile.length;
     const Vec3 middle = model_.projectile->position - Vec3(0, 0, length / 2);
     if (middle.z() <= 0) return;  // in front of the first ply as it was
-    passages_.look(model_, panel_, middle, projectile.diameter / 2, time_, comm_);
+    passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, projectile.diameter / 2, time_, comm_);
 }
+
+contact::Deepest Simulation::deepest() const { return deepest_of_all(counts_.deepest, comm_); }
+
+CrossedElements Simulation::crossed_elements() const { return elements_behind_whole_plies(model_, comm_); }
 
 bool Simulation::moved_far() const {
     if (expected_nodes_.empty()) return false;
@@ -340,7 +348,7 @@ void Simulation::update_candidates() {
     const double skin = skin_in_edges * model_.smallest_edge, ahead = steps_ahead * dt_;
     auto& nodes = model_.nodes;
     expected_nodes_ = contact::Whereabouts(nodes.x, nodes.v, ahead);
-    if (torn_ && model_.ply_contact) find_rims(comm_, panel_, model_);
+    if (torn_) find_rims(comm_, panel_, model_);
     const double reach = ghost_reach(scene_, panel_), spare = ghost_spare_in_edges * panel_.smallest_edge();
     if (reach > 0 && model_.ghosts.renew(comm_, model_.halo, expected_nodes_, reach, spare, model_.surface, nodes, model_.exchange)) {
         model_.exchange.use(comm_, mailboxes_);

@@ -84,7 +84,9 @@ ContactModes contact_modes(const scene::Scene& scene) {
         add(modes_of(*scene.contact.plies, 4 * std::pow(std::cos(std::numbers::pi / (2 * plies)), 2), lightest, lightest / 2));
     if (scene.contact.projectile && scene.projectile) {
         const double radius = scene.projectile->diameter / 2, mass = scene.projectile->mass / (std::numbers::pi * radius * radius);
-        add(modes_of(*scene.contact.projectile, lightest > negligible * mass ? 1 + lightest / mass : 1, lightest, lightest));
+        const bool counts = lightest > negligible * mass;
+        add(modes_of(*scene.contact.projectile, counts ? 1 + lightest / mass : 1, lightest, lightest));
+        if (counts && scene.target->frame) add(modes_of(*scene.contact.projectile, 1, mass, mass));
     }
     if (scene.target->frame) add(modes_of(scene.contact.frame, 1, lightest, lightest));
     return sum;

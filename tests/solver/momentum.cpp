@@ -31,7 +31,7 @@ double rounded_momentum(const Simulation& simulation, const parallel::Communicat
 TEST(FreeFlight, KeepsTheMomentumOfTargetAndProjectile) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const auto scene = scene_with(
-        {"target.plies.count=3", "projectile.position=[1 mm, 2 mm, -0.08 mm]", "projectile.velocity=[60 m/s, -30 m/s, 300 m/s]"});
+        {"target.plies.count=3", "projectile.position=[1 mm, 2 mm, -0.11 mm]", "projectile.velocity=[60 m/s, -30 m/s, 300 m/s]"});
     Simulation simulation(scene, comm);
     const double mass = scene.projectile->mass;
     const Vec3 before = momentum(simulation, comm, mass);

@@ -14,6 +14,7 @@ struct Deepest {
     double in_thicknesses = 0;  ///< the same over the contact thickness
     Vec3 place{0, 0, 0};        ///< of the point, m
     std::int64_t element = -1;  ///< global, of the point; -1: nothing is in contact
+    double time = 0;            ///< s
 
     /// Keeps the deeper one; of two alike the one of the lower element, so that the order does not matter.
     /// @return whether it is the other

@@ -20,6 +20,10 @@ class FrameShape {
 
     /// Depth of a point; nothing when it is outside.
     [[nodiscard]] std::optional<Depth> depth(const Vec3& point) const;
+    /// The same in one bar.
+    /// @param axis    whose opening the bar limits: 0 x, 1 y
+    /// @param outward 1 or -1: the side of the opening on which the bar stands
+    [[nodiscard]] std::optional<Depth> depth_in_bar(const Vec3& point, int axis, double outward) const;
 
     /// Whether a box may hold a point inside a bar. @param low, high corners, m
     [[nodiscard]] bool may_touch(const Vec3& low, const Vec3& high) const;

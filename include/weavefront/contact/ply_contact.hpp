@@ -43,6 +43,9 @@ class PlyContact {
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                   double sliding_share, ContactForces& forces);
 
+    /// Owned facets whose middle lies behind one of the next ply, as seen along their normals; rims of holes do not count.
+    [[nodiscard]] std::vector<std::int32_t> behind_next_ply(const Surface& surface, std::span<const Vec3> x) const;
+
     /// Whether any point of an owned facet remembers a penetration.
     [[nodiscard]] bool touches(std::int32_t facet) const { return memory_.holds(facet); }
     /// Memory of the points of an owned facet, to be taken up on another rank.

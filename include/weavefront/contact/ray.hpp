@@ -14,6 +14,9 @@ struct Rays {
     VectorLanes direction;  ///< unit
 };
 
+/// One line, in all lanes. @param direction unit
+Rays one_ray(const Vec3& origin, const Vec3& direction);
+
 /// What the lines meet.
 struct RayHits {
     LaneMask hit;

@@ -2,6 +2,7 @@
 /// @file
 /// summary.json: the outcome of a run for scripts.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -21,6 +22,18 @@ struct PhaseTime {
     double max = 0;
 };
 
+/// What became of the shot.
+struct ShotOutcome {
+    std::string verdict;               ///< stopped, perforated, still moving, or passed without perforation
+    std::optional<double> decided_at;  ///< s; null: it is not
+    std::int64_t plies_perforated = 0;
+    double peak_back_face_deflection = 0;  ///< m
+    double deepest_penetration = 0;        ///< m
+    std::array<double, 3> deepest_at{};    ///< its place, m
+    std::int64_t deepest_ply = 0;          ///< 1 = struck first; 0: nothing ever was in contact
+    std::optional<double> deepest_time;    ///< s
+};
+
 /// Outcome of a run; the keys of the file are the names of the members. SI units.
 struct Summary {
     std::string status;                           ///< finished or stopped
@@ -36,6 +49,7 @@ struct Summary {
     std::vector<PhaseTime> wall_seconds;  ///< in the order in which they are listed
     std::int64_t element_steps = 0;
     double nanoseconds_per_element_step = 0;
+    std::optional<ShotOutcome> outcome;              ///< null without a projectile
     std::optional<double> residual_velocity;         ///< m/s; null without a projectile
     double max_displacement = 0;                     ///< m
     double back_face_deflection = 0;                 ///< m

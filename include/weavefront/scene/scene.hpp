@@ -137,6 +137,9 @@ struct Output {
     std::vector<Field> fields;
 };
 
+/// When a run stops: at `time.end`, or before it, as soon as the outcome can no longer change.
+enum class Stop { end, decided };
+
 struct Scene {
     std::string title;
     std::vector<Fabric> fabrics;
@@ -147,6 +150,7 @@ struct Scene {
     struct Time {
         double end = 0;       ///< s
         double safety = 0.9;  ///< time step over its bound
+        Stop stop = Stop::end;
     } time;
     struct Limits {
         double energy_error = 0.05;  ///< the run stops when the closure defect passes this share of the energy handed over

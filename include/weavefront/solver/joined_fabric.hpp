@@ -25,9 +25,18 @@ class JoinedFabric {
     /// Of a local node, ghosts excepted.
     [[nodiscard]] bool has_node(std::size_t node) const { return nodes_.empty() || nodes_[node] != 0; }
     /// Of an owned element: it is not eroded, and one of its yarns is joined.
-    [[nodiscard]] bool has_element(const Model& model, std::size_t element) const;
+    [[nodiscard]] bool has_element(const Model& model, std::size_t element) const {
+        return !is_eroded(model, element) && is_at_joined_node(model, element);
+    }
+    /// Of an owned element: it is neither eroded nor joined.
+    [[nodiscard]] bool is_debris(const Model& model, std::size_t element) const {
+        return !is_eroded(model, element) && !is_at_joined_node(model, element);
+    }
 
   private:
+    [[nodiscard]] static bool is_eroded(const Model& model, std::size_t element);
+    [[nodiscard]] bool is_at_joined_node(const Model& model, std::size_t element) const;
+
     std::vector<std::uint8_t> nodes_;
 };
 

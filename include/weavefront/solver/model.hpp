@@ -11,6 +11,7 @@
 #include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/ply_contact.hpp"
 #include "weavefront/contact/projectile_contact.hpp"
+#include "weavefront/contact/projectile_on_frame.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/communicator.hpp"
 #include "weavefront/partition/decomposition.hpp"
@@ -47,6 +48,7 @@ struct Model {
     std::optional<contact::ProjectileContact> projectile_contact;
     std::optional<contact::PlyContact> ply_contact;
     std::optional<contact::FrameContact> frame_contact;
+    std::optional<contact::ProjectileOnFrame> projectile_on_frame;
 
     /// Whether contact remembers anything of an owned element: it touches another ply or the projectile.
     [[nodiscard]] bool touches(std::int32_t element) const;

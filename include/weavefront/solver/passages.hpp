@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/communicator.hpp"
+#include "weavefront/solver/joined_fabric.hpp"
 #include "weavefront/solver/model.hpp"
 
 namespace weavefront::solver {
@@ -21,17 +23,20 @@ struct Passage {
     std::int64_t element;  ///< that lies across its way; -1: none does
 };
 
-/// The projectile has passed a ply when its middle is behind all fabric of the ply within its radius, as seen along z.
+/// The projectile has passed a ply when its middle is behind the fabric of the ply within its radius, as seen along z, and the ply does not
+/// press on it. Debris, elements with a broken yarn and those at the rim of a hole do not count: they may fly or hang ahead of it for long.
 class Passages {
   public:
     explicit Passages(std::size_t plies) : plies_(plies) {}
 
     /// Notes the plies that the projectile has passed since the last look.
+    /// @param fabric that is joined to the target now
+    /// @param pairs  in contact now
     /// @param middle of the projectile, m
     /// @param radius of the projectile about its axis, m
     /// @note Collective
-    void look(const Model& model, const mesh::Panel& panel, const Vec3& middle, double radius, double time,
-              const parallel::Communicator& comm);
+    void look(const Model& model, const JoinedFabric& fabric, const mesh::Panel& panel, std::span<const contact::PairForce> pairs,
+              const Vec3& middle, double radius, double time, const parallel::Communicator& comm);
 
     /// Of each ply; absent: the projectile has not passed it.
     [[nodiscard]] const std::vector<std::optional<Passage>>& plies() const { return plies_; }

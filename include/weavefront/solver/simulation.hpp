@@ -33,9 +33,14 @@ struct Counts {
     double largest_hourglass = 0, largest_internal = 0;     ///< J, over the rows
     double largest_closure = 0;                             ///< of the rows, see Balance
     contact::Deepest deepest;                               ///< over the steps, of this rank's elements
-    double deepest_at = 0;                                  ///< its time, s
     bool touched = false;                                   ///< whether any force ever acted on the projectile
+    double last_touched = 0;                                ///< when it did last, s
     std::optional<double> turned_back;                      ///< when the projectile first moved away from the target, s
+};
+
+/// Elements that have come through another ply unseen.
+struct CrossedElements {
+    std::int64_t count = 0, first = 0;  ///< the lowest one
 };
 
 /// Distance from a rank's own facets up to which those of others become its ghosts, m; 0: contact needs none of them.
@@ -71,6 +76,11 @@ class Simulation {
     [[nodiscard]] const Passages& passages() const { return passages_; }
     /// The fabric that is still joined to the target now. @note Collective
     [[nodiscard]] const JoinedFabric& joined_fabric();
+    /// The deepest penetration of all ranks up to now. @note Collective
+    [[nodiscard]] contact::Deepest deepest() const;
+    /// Elements that lie behind the next ply although no element of that ply is eroded. @note Collective
+    [[nodiscard]] CrossedElements crossed_elements() const;
+    [[nodiscard]] double projectile_diameter() const { return scene_.projectile ? scene_.projectile->diameter : 0; }
     [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
     [[nodiscard]] const PhaseSeconds& seconds() const { return seconds_; }
     /// Position of the projectile's nose at the start, m.
@@ -96,7 +106,7 @@ class Simulation {
     void add_energy(std::int64_t& sum, double energy);
     [[noreturn]] void stop_at_fault() const;
     [[nodiscard]] bool moved_far() const;
-    [[nodiscard]] Vec3 whole_force(const FixedVector& on_part) const;
+    [[nodiscard]] Vec3 without_mirrored(Vec3 force) const;
     /// Change of a node's velocity without damping. @param step from the middle of the last step to that of this one, s
     [[nodiscard]] Vec3 push(std::size_t node, double step) const {
         return step * (model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node]);
@@ -136,7 +146,8 @@ class Simulation {
     bool stiffened_ = false;       // yarns of any rank, so far that this has to be done now
 
     FixedVector on_projectile_{};
-    Vec3 projectile_force_{0, 0, 0}, initial_projectile_{0, 0, 0};
+    Vec3 projectile_force_{0, 0, 0}, frame_force_{0, 0, 0};  // on the projectile: of all, and of the frame alone, N
+    Vec3 initial_projectile_{0, 0, 0};
     contact::ContactForces contact_;
     std::array<contact::SlidingAccount, contact_kinds> sliding_;
     std::array<std::int64_t, contact_kinds> sliding_released_{}, sliding_wanted_{};  // in this step on this rank, of energy_

@@ -1,0 +1,40 @@
+#pragma once
+/// @file
+/// Contact between the projectile and the frame, two rigid bodies.
+
+#include <array>
+
+#include "weavefront/contact/frame.hpp"
+#include "weavefront/contact/penalty.hpp"
+#include "weavefront/contact/projectile_contact.hpp"
+#include "weavefront/mesh/vec3.hpp"
+#include "weavefront/scene/scene.hpp"
+
+namespace weavefront::contact {
+
+/// Each bar of the frame presses on the point of the projectile that is foremost towards it, along its own normal. The pressure of the
+/// projectile's contact law acts on the cross-section of the projectile. Every rank computes the same.
+class ProjectileOnFrame {
+  public:
+    /// @param top height of the surface on which the last ply rests, m
+    ProjectileOnFrame(const scene::Projectile& projectile, const scene::Frame& frame, const scene::ContactLaw& law, double top);
+
+    /// Force on the projectile at its present position, N.
+    /// @param dt the last step, s
+    [[nodiscard]] Vec3 evaluate(const ProjectileState& projectile, double dt);
+
+  private:
+    struct Bar {
+        int axis;        ///< whose opening it limits
+        double outward;  ///< 1 or -1: the side on which it stands
+        Penetration penetration;
+    };
+    FrameShape shape_;  ///< inflated by the radius of the projectile's rims
+    double area_;       ///< m2
+    double inset_;      ///< of the rims' centres from the side of the projectile, and from its nose, m
+    double reach_;      ///< of the rims' centres from the axis, m
+    PenaltyLaw law_;
+    std::array<Bar, 4> bars_;
+};
+
+}  // namespace weavefront::contact

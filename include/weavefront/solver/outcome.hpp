@@ -1,0 +1,34 @@
+#pragma once
+/// @file
+/// What became of the shot.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "weavefront/solver/simulation.hpp"
+
+namespace weavefront::solver {
+
+/// `passed` is no result: the projectile is behind plies that are whole where it passed, or flew past the target.
+enum class Verdict { still_moving, stopped, perforated, passed };
+
+/// As written to summary.json and the log.
+std::string_view name_of(Verdict verdict);
+
+/// The outcome at one time.
+struct Outcome {
+    Verdict verdict = Verdict::still_moving;
+    std::optional<double> decided_at;   ///< when the projectile turned back, or passed the last ply, s
+    std::int64_t plies_perforated = 0;  ///< that the projectile has passed through a hole
+};
+
+/// Of a run with a projectile and its contact; without them the projectile is still moving.
+Outcome outcome_of(const Simulation& simulation);
+
+/// Whether the outcome can no longer change: it is decided, nothing has touched the projectile over the last tenth of a diameter of its
+/// way, and the back face of a target that stopped it is past its largest deflection.
+/// @param balance of the present time
+bool is_settled(const Simulation& simulation, const Balance& balance);
+
+}  // namespace weavefront::solver

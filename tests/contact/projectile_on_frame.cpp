@@ -1,0 +1,61 @@
+/// The projectile against the bars of the frame.
+
+#include "weavefront/contact/projectile_on_frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace weavefront::test {
+namespace {
+
+constexpr double half = 10e-3, top = 2e-3, mass = 2e-3, k = 5.6e12;
+const scene::Frame bars_across_x{.half_opening = {half, std::nullopt}, .edge_radius = 1e-3};
+const scene::Projectile sphere{.shape = scene::Shape::sphere, .diameter = 6e-3, .mass = mass};
+const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 6e-3, .edge_radius = 0.5e-3, .length = 10e-3, .mass = mass};
+
+/// Velocity after a flight of 60 us.
+contact::ProjectileState fly(const scene::Projectile& projectile, const Vec3& from, const Vec3& velocity, double unloading) {
+    contact::ProjectileOnFrame bars(projectile, bars_across_x, {.stiffness = k, .unloading = unloading, .damping = 0}, top);
+    contact::ProjectileState state{from, velocity};
+    constexpr double dt = 1e-8;
+    for (int step = 0; step < 6000; ++step) {
+        state.velocity += dt / mass * bars.evaluate(state, step > 0 ? dt : 0);
+        state.position += dt * state.velocity;
+    }
+    return state;
+}
+
+TEST(ProjectileOnFrame, ReboundsFromTheTopOfABar) {
+    for (const auto* projectile : {&sphere, &cylinder})
+        for (const double unloading : {1.0, 10.0}) {
+            const auto state = fly(*projectile, {16e-3, 1e-3, 1e-3}, {0, 0, 100}, unloading);
+            EXPECT_NEAR(-state.velocity.z() * std::sqrt(unloading) / 100, 1, 0.02);
+            EXPECT_EQ(state.velocity.x(), 0);
+        }
+}
+
+TEST(ProjectileOnFrame, IsTurnedAsideByTheEdgeOfABarWithoutLossWhereContactIsElastic) {
+    for (const auto* projectile : {&sphere, &cylinder}) {
+        const auto state = fly(*projectile, {8e-3, 0, 0}, {0, 0, 300}, 1);
+        EXPECT_LT(state.velocity.x(), -50) << "towards the opening";
+        EXPECT_NEAR(state.velocity.norm() / 300, 1, 1e-3);
+        const auto mirrored = fly(*projectile, {-8e-3, 0, 0}, {0, 0, 300}, 1);
+        EXPECT_EQ(mirrored.velocity, Vec3(-state.velocity.x(), 0, state.velocity.z()));
+    }
+}
+
+TEST(ProjectileOnFrame, PassesTheOpeningUntouched) {
+    EXPECT_EQ(fly(sphere, {6.9e-3, 50e-3, 0}, {0, 0, 300}, 10).velocity, Vec3(0, 0, 300));
+}
+
+TEST(ProjectileOnFrame, OfAPlateWiderThanTheOpeningRestsOnBothBars) {
+    auto plate = cylinder;
+    plate.diameter = 24e-3;
+    const auto state = fly(plate, {0, 0, 1e-3}, {0, 0, 100}, 1);
+    EXPECT_NEAR(-state.velocity.z() / 100, 1, 0.02);
+    EXPECT_NEAR(state.velocity.x(), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace weavefront::test

@@ -61,7 +61,7 @@ Status run(CLI::App& app, int argc, char** argv) {
         if (is_first_rank()) app.exit(error);
         return done;
     } catch (const scene::InputError& error) {
-        return report(bad_input, error.messages());
+        return report(bad_input, error.shown());
     } catch (const app::GuardStop& stop) {
         return report(stopped, {stop.what()});
     } catch (const std::bad_alloc&) {

@@ -63,14 +63,18 @@ Fabric read_fabric(Section& section) {
     fabric.transverse_shear = section.quantity("transverse_shear", modulus, non_negative, 0);
     fabric.hourglass = section.quantity("hourglass", ratio, non_negative, fabric.hourglass);
     fabric.contact_thickness = section.quantity("contact_thickness", length, positive, fabric.effective_thickness());
+    fabric.contact_thickness_source = section.has("contact_thickness") ? "contact_thickness" : "areal_density / density";
     return fabric;
 }
 
 }  // namespace
 
 std::vector<Fabric> read_fabrics(Section& section) {
+    constexpr std::size_t most_fabrics = 1000;
     std::vector<Fabric> fabrics;
-    for (const std::string& name : section.keys()) {
+    const std::vector<std::string> names = section.keys();
+    section.require_at_most(names.size(), most_fabrics, "fabrics");
+    for (const std::string& name : names) {
         // The paths of overrides and messages have dots between keys.
         section.refuse_if(name.empty() || name.find_first_of(".=") != name.npos, name, "a name without '.' and '='");
         fabrics.push_back(section.required(name, read_fabric));

@@ -8,6 +8,7 @@
 #include "study_tests.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/scene/study.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "doubts.hpp"
 #include "left_out.hpp"
+#include "run_head.hpp"
 #include "versions.hpp"
 #include "weavefront/io/progress.hpp"
 #include "weavefront/io/summary.hpp"
@@ -85,7 +86,9 @@ io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     return row;
 }
 
-RunReport::RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log) : scene_(scene), comm_(comm), log_(log) {}
+RunReport::RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log) : scene_(scene), comm_(comm), log_(log) {
+    for (const auto& line : run_head(comm)) log_.record(line);
+}
 
 void RunReport::start(const solver::Simulation& simulation) {
     computing_ = std::chrono::steady_clock::now();
@@ -190,6 +193,9 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
                           summary.nanoseconds_per_element_step));
     log_.info("  results       " + directory.string());
     io::write_summary(directory / "summary.json", summary, comm_);
+    record_end();
 }
+
+void RunReport::record_end() { log_.record(run_tail(seconds_since(begin_))); }
 
 }  // namespace weavefront::app

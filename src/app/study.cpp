@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "commands.hpp"
+#include "run_head.hpp"
 #include "shared_text.hpp"
 #include "study/measure.hpp"
 #include "study/study_check.hpp"
@@ -45,9 +47,12 @@ bool compute(const Options& options) {
     if (!options.check.empty()) before = table_of_before(study, entries, options.check, comm);
     const io::OutputDirectory kept(options.output, comm);
     io::Log log(options.output, comm);
+    const auto begin = std::chrono::steady_clock::now();
+    for (const auto& line : run_head(comm)) log.record(line);
     log.info(fmt::format("Weavefront {}: study {}", WEAVEFRONT_VERSION, study.title));
     run_study(study, entries, options.output, comm, log);
     if (comm.rank() == 0) write_results(study, entries, options, before, log);
+    log.record(run_tail(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return comm.rank() == 0;
 }
 

@@ -21,7 +21,7 @@ def check(program, scene, *options):
 
 
 def main():
-    program, scene = sys.argv[1:]
+    program, scene = sys.argv[1:3]
     assert "warning" not in check(program, scene)
     for override, phrase in DOUBTFUL.items():
         warnings = [line for line in check(program, scene, "--set", override).splitlines() if line.startswith("warning: ")]

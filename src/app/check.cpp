@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "doubts.hpp"
 #include "left_out.hpp"
 #include "memory.hpp"
+#include "warnings.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/simulation.hpp"
@@ -20,13 +20,13 @@ struct Options {
     std::vector<std::string> overrides;
 };
 
-void print_time_step(const scene::Scene& scene) {
+double print_time_step(const scene::Scene& scene) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_SELF);
     const solver::Simulation simulation(scene, comm);
     fmt::print("  time step  {:.4g} ns\n", simulation.time_step() * 1e9);
     fmt::print("  steps      about {:.0f} to {:.6g} us\n", scene.time.end / simulation.time_step(), scene.time.end * 1e6);
-    for (const auto& phrase : doubts(scene, simulation.time_step())) fmt::print("warning: {}\n", phrase);
+    return simulation.time_step();
 }
 
 void check(const Options& options) {
@@ -40,10 +40,9 @@ void check(const Options& options) {
     fmt::print("  memory     up to {} on all ranks together\n", bytes_text(needed));
     if (needed > memory_here())
         fmt::print("  time step  not computed: the target does not fit into the {} of this machine\n", bytes_text(memory_here()));
-    else
-        print_time_step(scene);
+    const double time_step = needed > memory_here() ? 0 : print_time_step(scene);
     for (const auto& phrase : left_out(scene, 1)) fmt::print("  left out   {}\n", phrase);
-    for (const auto& phrase : doubts(scene)) fmt::print("warning: {}\n", phrase);
+    for (const auto& phrase : warnings(scene, panel, time_step)) fmt::print("warning: {}\n", phrase);
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "doubts.hpp"
 #include "left_out.hpp"
 #include "run_head.hpp"
 #include "versions.hpp"
+#include "warnings.hpp"
 #include "weavefront/io/progress.hpp"
 #include "weavefront/io/summary.hpp"
 #include "weavefront/parallel/all_to_all.hpp"
@@ -113,8 +113,7 @@ void RunReport::start(const solver::Simulation& simulation) {
     log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us", simulation.time_step() * 1e9,
                           scene_.time.end / simulation.time_step(), scene_.time.end * 1e6));
     for (const auto& phrase : left_out(scene_, comm_.size())) log_.info("  left out      " + phrase);
-    for (const auto& phrase : doubts(scene_)) log_.warn(phrase);
-    for (const auto& phrase : doubts(scene_, simulation.time_step())) log_.warn(phrase);
+    for (const auto& phrase : warnings(scene_, panel, simulation.time_step())) log_.warn(phrase);
 }
 
 std::string RunReport::projectile_text(const solver::Simulation& simulation) {

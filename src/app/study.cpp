@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "launcher.hpp"
 #include "run_head.hpp"
 #include "shared_text.hpp"
 #include "study/measure.hpp"
@@ -39,6 +40,7 @@ void write_results(const scene::Study& study, const std::vector<StudyEntry>& ent
 bool compute(const Options& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
+    require_one_job(comm.size());
     const scene::Study study = scene::parse_study(shared_text(options.study, comm), options.study.string(), vocabulary);
     const std::vector<StudyEntry> entries = study_entries(study, shared_text(study.scene, comm));
     // Found at fault now rather than when everything has been computed.

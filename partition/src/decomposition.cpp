@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "silent_output.hpp"
+
 namespace weavefront::partition {
 
 namespace {
@@ -84,6 +86,7 @@ Decomposition partition(const mesh::Panel& panel, std::vector<idx_t> weights, in
     options[METIS_OPTION_SEED] = call.seed;
     options[METIS_OPTION_UFACTOR] = call.imbalance_in_thousandths;
     std::vector<idx_t> owner(decomposition.owner.size());
+    const SilentOutput silent;
     const int status =
         call.method(&vertices, &call.constraints, graph.first.data(), graph.neighbours.data(), weights.data(), nullptr, nullptr,
                     &parts_wanted, nullptr, call.imbalances.empty() ? nullptr : call.imbalances.data(), options.data(), &cut, owner.data());

@@ -1,5 +1,7 @@
 #include "weavefront/fabric/cell.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -11,7 +13,9 @@
 #include "commands.hpp"
 #include "csv_table.hpp"
 #include "deformation_path.hpp"
+#include "launcher.hpp"
 #include "output_file.hpp"
+#include "overrides_option.hpp"
 
 namespace weavefront::app {
 namespace {
@@ -19,6 +23,7 @@ namespace {
 struct Options {
     std::filesystem::path scene, path, out;
     std::string fabric;
+    std::vector<std::string> overrides;
 };
 
 constexpr const char* header =
@@ -50,8 +55,10 @@ std::array<double, 15> row(const fabric::Constants& c, double time, const fabric
             1 - state.intact_w};
 }
 
+/// @param name of the file of the path, for messages
 template <fabric::Features F>
-CsvTable deform(const fabric::Constants& c, const fabric::Features& features, const std::vector<Deformation>& path) {
+CsvTable deform(const fabric::Constants& c, const fabric::Features& features, const std::vector<Deformation>& path,
+                const std::string& name) {
     CsvTable table(header);
     fabric::State<double> state = fabric::initial_state<F, double>(c);
     table.add(row<F>(c, path.front().time, state, kinematics(path.front()), {}));
@@ -59,18 +66,21 @@ CsvTable deform(const fabric::Constants& c, const fabric::Features& features, co
         const fabric::Step step = fabric::step_of(c, features, path[i].time - path[i - 1].time);
         const Kinematics k = kinematics(path[i]);
         const fabric::Response<double> response = fabric::advance<F>(c, step, state, k.lambda_f, k.lambda_w, k.cos_2theta);
-        table.add(row<F>(c, path[i].time, state, k, response));
+        table.add(row<F>(c, path[i].time, state, k, response), fmt::format("{}:{}:1", name, path[i].line));
     }
     return table;
 }
 
 void cell(const Options& options) {
-    const scene::Fabric fabric = chosen_fabric(options.scene, options.fabric);
+    if (!is_first_process()) return;
+    const scene::Fabric fabric = chosen_fabric(options.scene, options.overrides, options.fabric);
     const std::vector<Deformation> path = read_deformation_path(options.path);
     require_output_file("--out", options.out, {options.scene, options.path});
     const fabric::Constants constants = fabric::constants_of(fabric);
     const fabric::Features features = fabric::features_of(fabric);
-    fabric::with_features(features, [&]<fabric::Features F>() { return deform<F>(constants, features, path); }).write(options.out);
+    fabric::with_features(features, [&]<fabric::Features F>() {
+        return deform<F>(constants, features, path, options.path.string());
+    }).write(options.out);
 }
 
 }  // namespace
@@ -86,6 +96,7 @@ void add_cell(CLI::App& app) {
         ->required();
     command->add_option("--out", options->out, "CSV to write, SI units, stresses in the bisector frame of the yarns")->required();
     command->add_option("--fabric", options->fabric, "Name of the fabric, where the scene has several");
+    add_overrides(*command, options->overrides);
     command->callback([options] { cell(*options); });
 }
 

@@ -8,11 +8,12 @@
 
 #include "weavefront/scene/nearest.hpp"
 #include "weavefront/scene/read.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::app {
 
-scene::Fabric chosen_fabric(const std::filesystem::path& path, const std::string& name) {
-    const scene::Scene scene = scene::read_scene(path, {}, scene::Need::fabrics);
+scene::Fabric chosen_fabric(const std::filesystem::path& path, const std::vector<std::string>& overrides, const std::string& name) {
+    const scene::Scene scene = scene::read_scene(path, overrides, scene::Need::fabrics);
     std::vector<std::string> names;
     for (const scene::Fabric& fabric : scene.fabrics) names.push_back(fabric.name);
     if (name.empty()) {
@@ -24,7 +25,8 @@ scene::Fabric chosen_fabric(const std::filesystem::path& path, const std::string
     if (found != scene.fabrics.end()) return *found;
     const std::string hint = scene::nearest(name, names);
     const std::string question = hint.empty() ? "" : fmt::format(", did you mean '{}'?", hint);
-    throw scene::InputError({fmt::format("--fabric: found '{}', allowed one of {}{}", name, fmt::join(names, ", "), question)});
+    throw scene::InputError(
+        {fmt::format("--fabric: found '{}', allowed one of {}{}", scene::printable(name), fmt::join(names, ", "), question)});
 }
 
 }  // namespace weavefront::app

@@ -16,15 +16,17 @@ class CsvTable {
     explicit CsvTable(std::string_view header);
 
     /// Adds a row. @param values one per column, written with 17 significant digits, which give back the same doubles
-    /// @throws std::runtime_error when one is not finite
-    void add(std::span<const double> values);
+    /// @param cause what the row comes of, for a message; empty: its number
+    /// @throws scene::InputError naming the column when one is not finite
+    void add(std::span<const double> values, std::string_view cause = {});
 
     /// Writes the table under a temporary name and renames it.
     /// @throws std::runtime_error naming the file when it cannot be written
     void write(const std::filesystem::path& path) const;
 
   private:
-    std::string text_;
+    std::string header_, text_;
+    std::size_t rows_ = 0;
 };
 
 }  // namespace weavefront::app

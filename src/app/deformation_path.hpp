@@ -2,6 +2,7 @@
 /// @file
 /// A prescribed deformation of one material point.
 
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace weavefront::app {
 struct Deformation {
     double time = 0;  ///< s
     double F11 = 1, F12 = 0, F21 = 0, F22 = 1;
+    std::size_t line = 0;  ///< of its file, for messages
 
     [[nodiscard]] double determinant() const { return F11 * F22 - F12 * F21; }
 };
@@ -23,8 +25,9 @@ struct Kinematics {
 /// Of the convected yarn vectors, the columns of F.
 [[nodiscard]] Kinematics kinematics(const Deformation& deformation);
 
-/// Reads a CSV file with the columns time,F11,F12,F21,F22; its first row is the identity, times increase.
-/// @throws scene::InputError with every finding as file:line:column; std::runtime_error when the file cannot be read
+/// Reads a CSV file with the columns time,F11,F12,F21,F22; its first row is the identity, times increase, and
+/// yarns are stretched to between a hundredth and a hundred times their length.
+/// @throws scene::InputError with every finding as file:line:column, or when the file cannot be read
 [[nodiscard]] std::vector<Deformation> read_deformation_path(const std::filesystem::path& path);
 
 }  // namespace weavefront::app

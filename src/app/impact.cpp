@@ -75,6 +75,7 @@ class Impact::Parts {
         } catch (const io::FileError& failure) {
             log_.record(
                 fmt::format("Ended at t = {:.6g} us after {} steps: {}", simulation_.time() * 1e6, simulation_.steps(), failure.what()));
+            report_.record_end();
             throw;
         }
         try {

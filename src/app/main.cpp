@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "launcher.hpp"
 #include "usage.hpp"
 #include "weavefront/scene/read.hpp"
 
@@ -18,18 +18,9 @@ using namespace weavefront;
 
 enum Status : int { done = 0, stopped = 1, bad_input = 2, system_error = 3 };
 
-// All ranks of a run reach `main`'s end alike, some of them without MPI; the launcher's environment tells the first one.
-bool is_first_rank() {
-    for (const char* variable : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"}) {
-        const char* rank = std::getenv(variable);
-        if (rank != nullptr) return std::string(rank) == "0";
-    }
-    return true;
-}
-
 Status report(Status status, const std::vector<std::string>& messages) {
     // The launcher kills the first rank when another one fails; what all ranks find alike is its to tell, and it is given time to print.
-    if (!is_first_rank()) {
+    if (!app::is_first_process()) {
         if (status != system_error) return done;
         std::this_thread::sleep_for(std::chrono::seconds(1));
         return status;
@@ -58,10 +49,10 @@ Status run(CLI::App& app, int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         const bool served = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help, --version
         if (!served) return report(bad_input, {std::string(error.what()) + " (see weavefront --help)"});
-        if (is_first_rank()) app.exit(error);
+        if (app::is_first_process()) app.exit(error);
         return done;
     } catch (const scene::InputError& error) {
-        return report(bad_input, error.messages());
+        return report(bad_input, error.shown());
     } catch (const app::GuardStop& stop) {
         return report(stopped, {stop.what()});
     } catch (const std::bad_alloc&) {

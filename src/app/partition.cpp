@@ -4,10 +4,14 @@
 #include <charconv>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "impact.hpp"
+#include "launcher.hpp"
+#include "list_option.hpp"
 #include "output_file.hpp"
+#include "overrides_option.hpp"
 #include "partition/calibration.hpp"
 #include "partition/machine_file.hpp"
 #include "partition/pace.hpp"
@@ -28,7 +32,8 @@ constexpr int most_ranks = 100'000;
 
 struct Options {
     std::filesystem::path scene, machine, out, calibrate;
-    std::vector<std::string> overrides, ranks;
+    std::vector<std::string> overrides;
+    std::optional<std::string> ranks;
     bool weak = false, measure = false;
     int repetitions = 3;
 };
@@ -37,13 +42,14 @@ int rank_count(const std::string& text) {
     int count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
     if (error != std::errc() || end != text.data() + text.size() || count < 1 || count > most_ranks)
-        throw scene::InputError({fmt::format("--ranks: found '{}', allowed a whole number from 1 to {}", text, most_ranks)});
+        throw scene::InputError(
+            {fmt::format("--ranks: found '{}', allowed a whole number from 1 to {}", scene::printable(text), most_ranks)});
     return count;
 }
 
 std::vector<int> rank_counts(const Options& options, const scene::Scene& scene) {
     std::vector<int> ranks;
-    for (const auto& text : options.ranks) ranks.push_back(rank_count(text));
+    for (const auto& text : items_of(*options.ranks)) ranks.push_back(rank_count(text));
     for (const int count : ranks) {
         const int columns = columns_of(scaled_scene(scene, options.weak, count, ranks.front()));
         if (count > columns)
@@ -54,7 +60,7 @@ std::vector<int> rank_counts(const Options& options, const scene::Scene& scene) 
 }
 
 void require_consistent(const Options& options) {
-    if (options.ranks.empty() == options.calibrate.empty())
+    if (options.ranks.has_value() != options.calibrate.empty())
         throw scene::InputError({"partition: allowed is one of --ranks LIST and --calibrate FILE"});
     if (options.repetitions < 1)
         throw scene::InputError({fmt::format("--repetitions: found {}, allowed a whole number of at least 1", options.repetitions)});
@@ -98,6 +104,7 @@ void partition(const Options& options) {
     require_consistent(options);
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
+    require_one_job(comm.size());
     const auto scene = scene::parse_scene(shared_text(options.scene, comm), options.scene.string(), options.overrides);
     const bool calibrates = !options.calibrate.empty();
     if (const auto& file = calibrates ? options.calibrate : options.out; !file.empty()) {
@@ -117,7 +124,7 @@ void add_partition(CLI::App& app) {
     auto* command = app.add_subcommand("partition", "Quality of decompositions and the time of a step that they lead to");
     auto options = std::make_shared<Options>();
     command->add_option("SCENE", options->scene, "Scene file (YAML)")->required();
-    command->add_option("--ranks", options->ranks, "Rank counts, such as 1,64,1024")->delimiter(',');
+    command->add_option("--ranks", options->ranks, "Rank counts, such as 1,64,1024");
     command->add_flag("--weak", options->weak,
                       "Refine the mesh with the square root of the rank count from the first one, where the scene is as it stands");
     command->add_option("--machine", options->machine, "Constants of a machine, from --calibrate (default: those of the program's own)");
@@ -126,8 +133,7 @@ void add_partition(CLI::App& app) {
                         "Measure this machine on the ranks that mpirun gives and write its constants (JSON)");
     command->add_option("--repetitions", options->repetitions, "Of every measured step, of which the quickest counts (default: 3)");
     command->add_option("--out", options->out, "Write the table as CSV");
-    command->add_option("--set", options->overrides, "Override a value of the scene, PATH=VALUE; may be given several times")
-        ->allow_extra_args(false);
+    add_overrides(*command, options->overrides);
     command->callback([options] { partition(*options); });
 }
 

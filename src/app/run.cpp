@@ -7,7 +7,9 @@
 
 #include "commands.hpp"
 #include "impact.hpp"
+#include "launcher.hpp"
 #include "memory.hpp"
+#include "overrides_option.hpp"
 #include "shared_text.hpp"
 #include "weavefront/io/output_directory.hpp"
 #include "weavefront/mesh/panel.hpp"
@@ -31,6 +33,7 @@ scene::Scene read_on_root(const Options& options, const parallel::Communicator& 
 void run(const Options& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
+    require_one_job(comm.size());
     const auto scene = read_on_root(options, comm);
     require_columns(scene, comm.size());
     require_memory(mesh::make_panel(scene).elements(), comm);
@@ -49,8 +52,7 @@ void add_run(CLI::App& app) {
     command->add_option("SCENE", options->scene, "Scene file (YAML)")->required();
     command->add_option("--output", options->output,
                         "Folder for history.csv, results.vtkhdf, summary.json and run.log (default: runs/<scene name>)");
-    command->add_option("--set", options->overrides, "Override a value of the scene, PATH=VALUE; may be given several times")
-        ->allow_extra_args(false);
+    add_overrides(*command, options->overrides);
     command
         ->add_option("--rebalance", options->rebalance,
                      "Move columns between the ranks whenever the slowest stays above the mean by more than this share; 0.1 is 10 %")

@@ -7,9 +7,10 @@
 #include <limits>
 
 #include "closing_warnings.hpp"
-#include "doubts.hpp"
 #include "left_out.hpp"
+#include "run_head.hpp"
 #include "versions.hpp"
+#include "warnings.hpp"
 #include "weavefront/io/progress.hpp"
 #include "weavefront/io/summary.hpp"
 #include "weavefront/parallel/all_to_all.hpp"
@@ -107,7 +108,9 @@ io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     return row;
 }
 
-RunReport::RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log) : scene_(scene), comm_(comm), log_(log) {}
+RunReport::RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log) : scene_(scene), comm_(comm), log_(log) {
+    for (const auto& line : run_head(comm)) log_.record(line);
+}
 
 void RunReport::start(const solver::Simulation& simulation) {
     computing_ = std::chrono::steady_clock::now();
@@ -132,8 +135,7 @@ void RunReport::start(const solver::Simulation& simulation) {
     log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us", simulation.time_step() * 1e9,
                           scene_.time.end / simulation.time_step(), scene_.time.end * 1e6));
     for (const auto& phrase : left_out(scene_, comm_.size())) log_.info("  left out      " + phrase);
-    for (const auto& phrase : doubts(scene_)) log_.warn(phrase);
-    for (const auto& phrase : doubts(scene_, simulation.time_step())) log_.warn(phrase);
+    for (const auto& phrase : warnings(scene_, panel, simulation.time_step())) log_.warn(phrase);
 }
 
 std::string RunReport::projectile_text(const solver::Simulation& simulation) {
@@ -206,6 +208,9 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
                           summary.nanoseconds_per_element_step));
     log_.info("  results       " + directory.string());
     io::write_summary(directory / "summary.json", summary, comm_);
+    record_end();
 }
+
+void RunReport::record_end() { log_.record(run_tail(seconds_since(begin_))); }
 
 }  // namespace weavefront::app

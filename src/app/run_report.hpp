@@ -20,6 +20,7 @@ io::HistoryRow row_of(const solver::Balance& balance, std::int64_t columns);
 
 class RunReport {
   public:
+    /// Begins run.log with when, where and how the run was started. @note Collective
     RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log);
 
     /// What is computed and what is left out. @note Collective
@@ -36,6 +37,9 @@ class RunReport {
     /// The closing lines and summary.json. @note Collective
     void finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,
                 const std::filesystem::path& directory);
+
+    /// The last line of run.log: when the run has ended. `finish` ends with it.
+    void record_end();
 
   private:
     const scene::Scene& scene_;

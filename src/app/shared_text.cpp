@@ -5,9 +5,10 @@
 
 namespace weavefront::app {
 
-std::string shared_text(const std::filesystem::path& path, const parallel::Communicator& comm) {
+std::string shared_text(const std::filesystem::path& path, const parallel::Communicator& comm, std::size_t most) {
     std::string text;
-    parallel::on_root(comm, [&] { text = scene::read_text(path); });
+    const auto failure = parallel::failure_on_root(comm, [&] { text = scene::read_text(path, most); });
+    if (!failure.empty()) throw scene::InputError({failure});
     return comm.broadcast(text);
 }
 

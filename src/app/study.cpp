@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "commands.hpp"
+#include "launcher.hpp"
+#include "run_head.hpp"
 #include "shared_text.hpp"
 #include "study/measure.hpp"
+#include "study/measured_values.hpp"
 #include "study/study_check.hpp"
 #include "study/study_entries.hpp"
 #include "study/study_files.hpp"
@@ -25,11 +29,12 @@ struct Options {
     bool no_picture = false;
 };
 
-void write_results(const scene::Study& study, const std::vector<StudyEntry>& entries, const Options& options,
-                   const std::optional<study::TextTable>& before, io::Log& log) {
-    const std::vector<StudyRow> rows = measure_study(study, entries, options.output);
+void write_results(const scene::Study& study, const std::vector<StudyEntry>& entries, const study::Columns& measured,
+                   const Options& options, const std::optional<study::TextTable>& before, io::Log& log) {
+    const std::vector<StudyRow> rows = measure_study(study, entries, options.output, measured);
     write_study_files(study, entries, rows, options.output);
     report_study(study, entries, rows, log);
+    report_compared(study, rows, measured, log);
     if (before) check_against_table(study, options.output / "study.csv", *before, options.check, log);
 }
 
@@ -37,17 +42,24 @@ void write_results(const scene::Study& study, const std::vector<StudyEntry>& ent
 bool compute(const Options& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
+    require_one_job(comm.size());
     const scene::Study study = scene::parse_study(shared_text(options.study, comm), options.study.string(), vocabulary);
     const std::vector<StudyEntry> entries = study_entries(study, shared_text(study.scene, comm));
     // Found at fault now rather than when everything has been computed.
-    if (study.reference.kind == scene::Reference::Kind::file) require_measured(study, shared_text(study.reference.file, comm));
+    study::Columns measured;
+    if (study.reference.kind == scene::Reference::Kind::file)
+        measured = read_measured(study, entries, shared_text(study.reference.file, comm, scene::most_of_table));
     std::optional<study::TextTable> before;
     if (!options.check.empty()) before = table_of_before(study, entries, options.check, comm);
     const io::OutputDirectory kept(options.output, comm);
     io::Log log(options.output, comm);
+    const auto begin = std::chrono::steady_clock::now();
+    for (const auto& line : run_head(comm)) log.record(line);
     log.info(fmt::format("Weavefront {}: study {}", WEAVEFRONT_VERSION, study.title));
+    report_measured(study, entries, measured, log);
     run_study(study, entries, options.output, comm, log);
-    if (comm.rank() == 0) write_results(study, entries, options, before, log);
+    if (comm.rank() == 0) write_results(study, entries, measured, options, before, log);
+    log.record(run_tail(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()));
     return comm.rank() == 0;
 }
 

@@ -13,71 +13,106 @@
 #include "chosen_fabric.hpp"
 #include "commands.hpp"
 #include "csv_table.hpp"
+#include "launcher.hpp"
+#include "list_option.hpp"
 #include "output_file.hpp"
+#include "overrides_option.hpp"
 #include "weavefront/scene/read.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::app {
 namespace {
 
 struct Options {
     std::filesystem::path scene, out;
-    std::string fabric;
-    std::vector<double> rates;
+    std::string fabric, rates;
+    std::vector<std::string> overrides;
 };
 
 /// Where the curve of a yarn ends that nothing breaks.
 constexpr double unbroken_strain = 0.05;
-constexpr int rows_per_rate = 400;
+constexpr int rows_per_rate = 400, least_rows = 100;
 
 struct Sampling {
-    double increment;  ///< strain of a step: a break is found at most so much late
-    int steps;         ///< that no curve exceeds
+    double increment;    ///< strain of a step: a break is found at most so much late
+    std::int64_t steps;  ///< that no curve exceeds
 };
+
+// A curve of so many steps takes some seconds.
+constexpr double most_steps = 1e8;
 
 /// eps = eps_a + eps_b, so a yarn breaks before both parts have reached their limits together, if nothing else.
 Sampling sampling(const scene::Fabric& fabric) {
     if (!fabric.failure) return {unbroken_strain / 50000, 50000};
     const double smallest = std::min(fabric.failure->static_strain, fabric.failure->hooke_strain);
     const double largest = fabric.failure->static_strain + fabric.failure->hooke_strain;
-    const double increment = 2e-5 * smallest;
-    return {increment, static_cast<int>(std::ceil(largest / increment)) + 1};
+    const double increment = 2e-5 * smallest, steps = std::ceil(largest / increment) + 1;
+    if (!(steps <= most_steps))
+        throw scene::InputError(
+            {fmt::format("fabric {}: found failure strains (static_strain, hooke_strain) of {:.4g} and {:.4g}, which take {:.3g} steps to "
+                         "tell apart, allowed {:.3g}",
+                         fabric.name, fabric.failure->static_strain, fabric.failure->hooke_strain, steps, most_steps)});
+    return {increment, static_cast<std::int64_t>(steps)};
 }
 
-/// Strains a yarn from rest at a constant rate and adds its curve to `table`.
-template <fabric::Features F>
-void strain_at(double rate, const fabric::Constants& c, const Sampling& sample, CsvTable& table) {
+struct Point {
+    std::int64_t step;
+    double strain, stress;
+    int failure;  ///< 0, 19 or 20
+};
+
+/// Strains a yarn from rest at a constant rate up to its failure, or to the last step. @param note is given
+/// each point
+template <fabric::Features F, class Note>
+void follow(double rate, const fabric::Constants& c, const Sampling& sample, Note note) {
     const fabric::Step step = fabric::step_of(c, F, sample.increment / rate);
-    const int stride = (sample.steps + rows_per_rate - 3) / (rows_per_rate - 2);
     double sigma = 0;
-    table.add(std::array{rate, 0.0, 0.0, 0.0, 0.0});
-    for (int i = 1; i <= sample.steps; ++i) {
-        const double before = c.length * (1 + (i - 1) * sample.increment), length = c.length * (1 + i * sample.increment);
+    for (std::int64_t i = 1; i <= sample.steps; ++i) {
+        const double eps = static_cast<double>(i) * sample.increment;
+        const double before = c.length * (1 + static_cast<double>(i - 1) * sample.increment), length = c.length * (1 + eps);
         sigma = fabric::axial_law<F>(c, step, sigma, before, 1.0).stress(length);
-        const double eps = i * sample.increment;
         int failure = 0;
         if constexpr (F.failure) {
             const fabric::FailureIndex<double> index = fabric::failure_index(c, eps, sigma);
             if (std::max(index.primary, index.secondary) > 1) failure = index.primary > index.secondary ? 19 : 20;
         }
-        if (i % stride == 0 || i == sample.steps || failure != 0) {
-            table.add(std::array{rate, eps / rate, eps, sigma, static_cast<double>(failure)});
-        }
+        note(Point{i, eps, sigma, failure});
         if (failure != 0) return;
     }
 }
 
-void require_rates(const std::vector<double>& rates) {
-    std::vector<std::string> messages;
-    for (const double rate : rates) {
-        if (!(rate > 0) || !std::isfinite(rate))
-            messages.push_back(fmt::format("--rates: found {}, allowed positive strain rates in 1/s", rate));
+/// Adds the curve of a yarn to `table`: some hundred rows, the last one that of its failure.
+template <fabric::Features F>
+void strain_at(double rate, const fabric::Constants& c, const Sampling& sample, CsvTable& table) {
+    std::int64_t last = 0;
+    follow<F>(rate, c, sample, [&](const Point& point) { last = point.step; });
+    const std::int64_t usual = (sample.steps + rows_per_rate - 3) / (rows_per_rate - 2);
+    const std::int64_t stride = std::clamp<std::int64_t>(last / least_rows, 1, usual);  // a yarn may break far below what none exceeds
+    const std::string cause = fmt::format("--rates {}", rate);
+    table.add(std::array{rate, 0.0, 0.0, 0.0, 0.0});
+    follow<F>(rate, c, sample, [&](const Point& point) {
+        if (point.step % stride == 0 || point.step == last)
+            table.add(std::array{rate, point.strain / rate, point.strain, point.stress, static_cast<double>(point.failure)}, cause);
+    });
+}
+
+std::vector<double> read_rates(const std::string& list) {
+    std::vector<double> rates;
+    scene::MessageList faults;
+    for (const std::string& text : items_of(list)) {
+        const auto rate = scene::finite_number(text);
+        if (!rate || !(*rate > 0))
+            faults.add(fmt::format("--rates: found '{}', allowed positive strain rates in 1/s, such as 1,10,100", scene::printable(text)));
+        rates.push_back(rate.value_or(0));
     }
-    if (!messages.empty()) throw scene::InputError(messages);
+    faults.raise();
+    return rates;
 }
 
 void yarn(const Options& options) {
-    require_rates(options.rates);
-    const scene::Fabric fabric = chosen_fabric(options.scene, options.fabric);
+    if (!is_first_process()) return;
+    const std::vector<double> rates = read_rates(options.rates);
+    const scene::Fabric fabric = chosen_fabric(options.scene, options.overrides, options.fabric);
     require_output_file("--out", options.out, {options.scene});
     const fabric::Constants constants = fabric::constants_of(fabric);
     const Sampling sample = sampling(fabric);
@@ -86,7 +121,7 @@ void yarn(const Options& options) {
     features.crimp = features.lateral = features.friction = false;
     CsvTable table("rate,time,strain,stress,failure");
     fabric::with_features(features, [&]<fabric::Features F>() {
-        for (const double rate : options.rates) strain_at<F>(rate, constants, sample, table);
+        for (const double rate : rates) strain_at<F>(rate, constants, sample, table);
     });
     table.write(options.out);
 }
@@ -97,16 +132,14 @@ void add_yarn(CLI::App& app) {
     auto* command = app.add_subcommand("yarn", "Stress-strain curves of one yarn at constant strain rates, up to its failure");
     auto options = std::make_shared<Options>();
     command->add_option("SCENE", options->scene, "Scene file (YAML); only its fabrics are read")->required();
-    command->add_option("--rates", options->rates, "Strain rates in 1/s, separated by commas")
-        ->required()
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    command->add_option("--rates", options->rates, "Strain rates in 1/s, separated by commas")->required();
     command
         ->add_option("--out", options->out,
                      "CSV to write: rate,time,strain,stress,failure; failure is 0, 19 or 20, the equation of the paper that was met; "
                      "a fabric without failure is strained to 5 %")
         ->required();
     command->add_option("--fabric", options->fabric, "Name of the fabric, where the scene has several");
+    add_overrides(*command, options->overrides);
     command->callback([options] { yarn(*options); });
 }
 

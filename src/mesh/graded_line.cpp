@@ -6,6 +6,11 @@ namespace weavefront::mesh {
 
 namespace {
 
+// No element is thinner than a quarter of its neighbour: a sliver would set the time step of the whole run.
+// The smallest element of a side of two or more is at least 1/(1 + growth) of what was asked for, so that
+// this growth keeps it.
+constexpr double thinnest = 0.25, most_growth = 3;
+
 /// Distances of the grid lines of one side from the fine point, ascending, the first one 0 and the last one `length`.
 std::vector<double> one_side(double length, const scene::PanelMesh& mesh) {
     std::vector<double> distance{0};
@@ -13,7 +18,7 @@ std::vector<double> one_side(double length, const scene::PanelMesh& mesh) {
     // A remainder below a millionth of an element is rounding, not another element.
     while (distance.back() < length - 1e-6 * size) {
         distance.push_back(distance.back() + size);
-        size = std::min(size * mesh.growth, mesh.edge);
+        size = std::min(size * std::min(mesh.growth, most_growth), mesh.edge);
     }
     const double scale = length / distance.back();
     if (distance.size() > 1)
@@ -25,8 +30,11 @@ std::vector<double> one_side(double length, const scene::PanelMesh& mesh) {
 }  // namespace
 
 std::vector<double> graded_line(double low, double high, double fine, const scene::PanelMesh& mesh) {
-    const auto below = fine > low ? one_side(fine - low, mesh) : std::vector<double>{0};
-    const auto above = fine < high ? one_side(high - fine, mesh) : std::vector<double>{0};
+    const auto side = [&](double length) { return length > 0 ? one_side(length, mesh) : std::vector<double>{0}; };
+    auto below = side(fine - low), above = side(high - fine);
+    // A side of one element may be of any thickness; where it is a sliver the fine point moves to its end.
+    if (below.size() == 2 && above.size() > 1 && below[1] < thinnest * above[1]) return graded_line(low, high, low, mesh);
+    if (above.size() == 2 && below.size() > 1 && above[1] < thinnest * below[1]) return graded_line(low, high, high, mesh);
     std::vector<double> line;
     line.reserve(below.size() + above.size() - 1);
     for (auto d = below.rbegin(); d != below.rend(); ++d) line.push_back(fine - *d);

@@ -9,14 +9,55 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <unordered_set>
 #include <utility>
 
 #include "weavefront/scene/read.hpp"
+#include "weavefront/scene/text.hpp"
+#include "yaml_fault.hpp"
 
 namespace weavefront::scene {
 namespace {
 
+// Deeper than any scene, far less than the parser's stack.
+constexpr std::size_t most_levels = 64;
+
+// Every alias is a copy: a few lines of aliases of aliases would fill any memory. 10000 listed plies have
+// 40000 values.
+constexpr std::size_t most_values = 200'000;
+
 [[noreturn]] void refuse(const Location& where, std::string_view what) { throw InputError({fmt::format("{}: {}", where.text, what)}); }
+
+/// The maps that a merge key names.
+std::vector<Value> merged_maps(Entry entry) {
+    std::vector<Value> maps;
+    if (entry.value.kind == Value::Kind::list)
+        maps = std::move(entry.value.items);
+    else
+        maps.push_back(std::move(entry.value));
+    for (const Value& map : maps)
+        if (map.kind != Value::Kind::map)
+            refuse(map.where, fmt::format("<<: found {}, allowed a map or a list of maps, such as <<: *name", describe(map)));
+    return maps;
+}
+
+/// Merge keys: `<<: *map`, or `<<: [*map, *other]`, gives a map the entries of others that it does not have
+/// itself.
+void merge(Value& map) {
+    const auto is_merge = [](const Entry& entry) { return entry.key == "<<" && !entry.quoted; };
+    if (std::ranges::none_of(map.entries, is_merge)) return;
+    std::vector<Entry> own, merged;
+    std::unordered_set<std::string> keys;
+    for (Entry& entry : map.entries) {
+        if (!is_merge(entry)) keys.insert(entry.key);
+        (is_merge(entry) ? merged : own).push_back(std::move(entry));
+    }
+    for (Entry& entry : merged)
+        for (Value& other : merged_maps(std::move(entry)))
+            for (Entry& given : other.entries)
+                if (keys.insert(given.key).second) own.push_back(std::move(given));
+    map.entries = std::move(own);
+}
 
 // yaml-cpp's own nodes drop repeated keys, so the tree is built from its events.
 class TreeBuilder : public YAML::EventHandler {
@@ -29,44 +70,73 @@ class TreeBuilder : public YAML::EventHandler {
         if (++documents > 1) refuse(at(mark), "found a second YAML document, allowed one");
     }
     void OnDocumentEnd() override {}
-    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { close({.where = at(mark)}, anchor); }
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        count(1, at(mark));
+        close({.where = at(mark)}, anchor);
+    }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         const auto known = anchors_.find(anchor);
         if (known == anchors_.end()) refuse(at(mark), "found an alias inside its own anchor");
-        close(Value(known->second), 0);
+        count(known->second.values, at(mark));
+        close(Value(known->second.value), 0, known->second.values);
     }
-    void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, const std::string& text) override {
-        close({.kind = Value::Kind::scalar, .where = at(mark), .text = text}, anchor);
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& text) override {
+        const bool quoted = tag == "!";
+        count(1, at(mark));
+        close({.kind = Value::Kind::scalar, .where = at(mark), .text = text, .quoted = quoted}, anchor);
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
-        open_.push_back({{.kind = Value::Kind::list, .where = at(mark)}, std::nullopt, anchor});
+        open(mark, Value::Kind::list, anchor);
     }
     void OnSequenceEnd() override { close_top(); }
     void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
-        open_.push_back({{.kind = Value::Kind::map, .where = at(mark)}, std::nullopt, anchor});
+        open(mark, Value::Kind::map, anchor);
     }
-    void OnMapEnd() override { close_top(); }
+    void OnMapEnd() override {
+        merge(open_.back().value);
+        close_top();
+    }
 
   private:
     struct Open {
         Value value;
         std::optional<Entry> entry;  // of a map: its key has been seen, its value has not
         YAML::anchor_t anchor;
+        std::size_t values;  // itself and all below it so far
+    };
+    struct Anchored {
+        Value value;
+        std::size_t values;
     };
     const Locate& locate_;
     std::vector<Open> open_;
-    std::map<YAML::anchor_t, Value> anchors_;
+    std::map<YAML::anchor_t, Anchored> anchors_;
+    std::size_t values_ = 0;
 
     [[nodiscard]] Location at(const YAML::Mark& mark) const { return locate_(mark.line + 1, mark.column + 1); }
+
+    void count(std::size_t values, const Location& where) {
+        values_ += values;
+        if (values_ > most_values)
+            refuse(where,
+                   fmt::format("found more than {} values, those that aliases repeat among them, allowed at most so many", most_values));
+    }
+
+    void open(const YAML::Mark& mark, Value::Kind kind, YAML::anchor_t anchor) {
+        count(1, at(mark));
+        if (open_.size() == most_levels) refuse(at(mark), fmt::format("found lists and maps nested deeper than {} levels", most_levels));
+        open_.push_back({{.kind = kind, .where = at(mark)}, std::nullopt, anchor, 1});
+    }
 
     void close_top() {
         Open top = std::move(open_.back());
         open_.pop_back();
-        close(std::move(top.value), top.anchor);
+        close(std::move(top.value), top.anchor, top.values);
     }
 
-    void close(Value value, YAML::anchor_t anchor) {
-        if (anchor != 0) anchors_[anchor] = value;
+    void close(Value value, YAML::anchor_t anchor, std::size_t values = 1) {
+        if (anchor != 0) anchors_[anchor] = {value, values};
+        if (!open_.empty()) open_.back().values += values;
         if (open_.empty()) {
             root = std::move(value);
             return;
@@ -80,7 +150,7 @@ class TreeBuilder : public YAML::EventHandler {
             parent.entry.reset();
         } else {
             if (value.kind != Value::Kind::scalar) refuse(value.where, fmt::format("found {} as a key, allowed a name", describe(value)));
-            parent.entry = Entry{.key = value.text, .where = value.where};
+            parent.entry = Entry{.key = value.text, .where = value.where, .quoted = value.quoted};
         }
     }
 };
@@ -95,15 +165,26 @@ Value parse_document(const std::string& text, const Locate& locate) {
         while (parser.HandleNextDocument(builder)) {
         }
     } catch (const YAML::Exception& error) {
-        refuse(locate(error.mark.line + 1, error.mark.column + 1), "not YAML: " + error.msg);
+        const YamlFault fault = yaml_fault(text, error.msg, error.mark.line + 1, error.mark.column + 1);
+        refuse(locate(fault.line, fault.column), "not YAML: " + fault.what);
     }
     return std::move(builder.root);
 }
 
+namespace {
+
+bool looks_like_a_list(std::string_view text) {
+    return text.size() > 1 && ((text.front() == '[' && text.back() == ']') || (text.front() == '{' && text.back() == '}'));
+}
+
+}  // namespace
+
 std::string describe(const Value& value) {
     switch (value.kind) {
         case Value::Kind::scalar:
-            return fmt::format("'{}'", value.text);
+            if (value.quoted && looks_like_a_list(value.text))
+                return fmt::format("'{}' in quotes, which make it a text (did you mean it without them?)", printable(value.text));
+            return fmt::format("'{}'", printable(value.text));
         case Value::Kind::list:
             return value.items.empty() ? "an empty list" : "a list";
         case Value::Kind::map:

@@ -19,7 +19,8 @@ struct Value {
     Location where = {};
     std::string text = {};            ///< of a scalar
     std::vector<Value> items = {};    ///< of a list
-    std::vector<Entry> entries = {};  ///< of a map, as written
+    std::vector<Entry> entries = {};  ///< of a map, as written, after those of merge keys are added
+    bool quoted = false;              ///< of a scalar
 };
 
 /// A key of a map and its value.
@@ -28,13 +29,15 @@ struct Entry {
     Location where;
     Value value = {};
     bool left_out = false;  ///< by an override without a value: as if it were not there
+    bool quoted = false;
 };
 
 /// Turns a line and column (from 1) into a location.
 using Locate = std::function<Location(int line, int column)>;
 
-/// Parses one YAML document.
-/// @throws InputError with one message when it is not YAML
+/// Parses one YAML document, with aliases and merge keys (`<<`) resolved.
+/// @throws InputError with one message when it is not YAML, nested deeper than 64 levels, or of more than
+/// 200000 values
 Value parse_document(const std::string& text, const Locate& locate);
 
 /// A value in a few words, for messages: `'3 kg'`, `a list`, `nothing`.

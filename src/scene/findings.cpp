@@ -12,11 +12,40 @@
 
 namespace weavefront::scene {
 
-InputError::InputError(std::vector<std::string> messages)
-    : std::runtime_error(fmt::format("{}", fmt::join(messages, "\n"))), messages_(std::move(messages)) {}
+namespace {
+
+constexpr std::size_t most_shown = 20, most_kept = 1000;
+
+std::vector<std::string> first_of(const std::vector<std::string>& messages, std::size_t more) {
+    const auto count = std::min(messages.size(), most_shown);
+    std::vector<std::string> first(messages.begin(), messages.begin() + static_cast<std::ptrdiff_t>(count));
+    if (more += messages.size() - count; more > 0) first.push_back(fmt::format("and {} more", more));
+    return first;
+}
+
+}  // namespace
+
+InputError::InputError(std::vector<std::string> messages, std::size_t more)
+    : std::runtime_error(fmt::format("{}", fmt::join(first_of(messages, more), "\n"))), messages_(std::move(messages)), more_(more) {}
+
+std::vector<std::string> InputError::shown() const { return first_of(messages_, more_); }
+
+void MessageList::add(std::string message) {
+    if (messages_.size() < most_kept)
+        messages_.push_back(std::move(message));
+    else
+        ++more_;
+}
+
+void MessageList::raise() const {
+    if (!messages_.empty()) throw InputError(messages_, more_);
+}
+
+bool Findings::full() const { return findings_.size() >= most_kept; }
 
 void Findings::add(const Location& where, std::string_view path, std::string_view what) {
     if (silent_) return;
+    if (full()) return count(1);
     const std::string_view separator = path.empty() ? "" : ": ";
     findings_.push_back({where.line, where.column, fmt::format("{}: {}{}{}", where.text, path, separator, what)});
 }
@@ -28,7 +57,8 @@ void Findings::add(const Location& where, std::string_view path, std::string_vie
 
 void Findings::take(Findings& other) {
     std::ranges::move(other.findings_, std::back_inserter(findings_));
-    other.findings_.clear();
+    more_ += other.more_;
+    other = {};
 }
 
 std::vector<std::string> Findings::messages() const {
@@ -40,7 +70,7 @@ std::vector<std::string> Findings::messages() const {
 }
 
 void Findings::raise() const {
-    if (!findings_.empty()) throw InputError(messages());
+    if (!findings_.empty()) throw InputError(messages(), more_);
 }
 
 }  // namespace weavefront::scene

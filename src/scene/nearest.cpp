@@ -6,6 +6,9 @@
 namespace weavefront::scene {
 namespace {
 
+// Far longer than any name: the distance takes time and memory of the product of both lengths.
+constexpr std::size_t longest_word = 100;
+
 // Optimal string alignment distance.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -26,6 +29,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest(std::string_view word, std::span<const std::string> names) {
     std::string best;
+    if (word.size() > longest_word) return best;
     std::size_t least = word.size() + 1;
     for (const std::string& name : names) {
         const std::size_t distance = edit_distance(word, name);

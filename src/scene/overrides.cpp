@@ -8,6 +8,7 @@
 
 #include "weavefront/scene/nearest.hpp"
 #include "weavefront/scene/read.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 namespace {
@@ -24,6 +25,11 @@ std::vector<std::string> split(const std::string& path) {
     return keys;
 }
 
+constexpr std::size_t most_of_override = 300;  // characters, in messages
+
+// Deeper than any scene: each is a level of the tree.
+constexpr std::size_t most_keys = 16;
+
 // What an override has come to on its way through the tree.
 struct Cursor {
     const Location& where;
@@ -37,8 +43,8 @@ Value* list_item(Value& list, const std::string& key, const Cursor& cursor) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
     if (error == std::errc{} && end == key.data() + key.size() && index < list.items.size()) return &list.items[index];
-    cursor.findings.add(cursor.where, cursor.path, fmt::format("'{}'", key),
-                        fmt::format("an item from 0 to {}", static_cast<int>(list.items.size()) - 1));
+    cursor.findings.add(cursor.where, printable(cursor.path), fmt::format("'{}'", printable(key)),
+                        list.items.empty() ? "none: the list is empty" : fmt::format("an item from 0 to {}", list.items.size() - 1));
     return nullptr;
 }
 
@@ -57,6 +63,8 @@ Entry* map_entry(Value& map, const std::string& key, bool last, const Cursor& cu
 
 void place(Value& root, Value value, Cursor cursor) {
     const std::vector<std::string> keys = split(cursor.path);
+    if (keys.size() > most_keys)
+        return cursor.findings.add(cursor.where, "", fmt::format("a path of {} keys", keys.size()), fmt::format("at most {}", most_keys));
     Value* at = &root;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const bool last = i + 1 == keys.size();
@@ -84,7 +92,7 @@ void place_text(Value& root, const std::string& path, const std::string& value, 
     try {
         place(root, parse_document(value, [&](int, int) { return where; }), {where, path, findings});
     } catch (const InputError& error) {
-        findings.add(where, path, "a value that is not YAML", "a value as a scene file would hold it");
+        findings.add(where, path, std::string_view(error.messages().front()).substr(where.text.size() + 2));  // after `where: `
     }
 }
 
@@ -101,7 +109,13 @@ void apply_settings(Value& root, std::span<const Setting> settings, Findings& fi
 void apply_overrides(Value& root, const std::vector<std::string>& overrides, Findings& findings) {
     int order = 0;
     for (const std::string& text : overrides) {
-        const Location where{.text = "--set " + text, .line = std::numeric_limits<int>::max(), .column = ++order};
+        const Location where{
+            .text = "--set " + printable(text, most_of_override), .line = std::numeric_limits<int>::max(), .column = ++order};
+        std::size_t at = 0;
+        if (const std::string fault = fault_of_text(text, at); !fault.empty()) {
+            findings.add(where, "", fmt::format("found {}", fault));
+            continue;
+        }
         const std::size_t equals = text.find('=');
         if (equals == text.npos || equals == 0) {
             findings.add(where, "", "no PATH=VALUE", "such as --set projectile.mass='2.8 g'");

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "hash.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 namespace {
@@ -25,7 +22,7 @@ auto read_part(Section& root, std::string_view key, Need need, Read read) -> std
 Scene read_parts(Section& root, Need need) {
     Scene scene;
     scene.title = root.text("title", "");
-    scene.fabrics = root.required("fabrics", read_fabrics);
+    scene.fabrics = root.required("fabrics", read_fabrics, "a map of names to fabrics");
     scene.target = read_part(root, "target", need, [&](Section& section) { return read_target(section, scene.fabrics); });
     const Target* target = scene.target ? &*scene.target : nullptr;
     scene.projectile = root.optional("projectile", [&](Section& section) { return read_projectile(section, scene.fabrics, target); });
@@ -38,8 +35,10 @@ Scene read_parts(Section& root, Need need) {
     const double end = scene.time.end > 0 ? scene.time.end : std::numeric_limits<double>::quiet_NaN();
     scene.output = read_part(root, "output", need, [&](Section& section) { return read_output(section, end); }).value_or(scene.output);
 
-    root.refuse_if(root.has("fabrics") && scene.fabrics.empty(), "fabrics", "at least one fabric");
-    root.refuse_if(scene.projectile && !scene.contact.projectile, "contact", "a map with the key projectile, since there is a projectile");
+    root.refuse_if(root.has_map("fabrics") && scene.fabrics.empty(), "fabrics", "at least one fabric");
+    const bool other_fault = root.has("contact") && !root.has_map("contact");
+    root.refuse_if(scene.projectile && !scene.contact.projectile && !other_fault, "contact",
+                   "a map with the key projectile, since there is a projectile");
     root.unavailable({"checkpoint", "restart", "subcycling"});
     return scene;
 }
@@ -71,21 +70,10 @@ Scene parse_changed_scene(const std::string& text, const std::string& name, cons
     root.refuse_unknown();
     context.findings.raise();
 
+    scene.units = context.message_units;
     scene.resolved = resolved_text(scene);
     scene.hash = hash_of(scene.resolved);
     return scene;
-}
-
-std::string read_text(const std::filesystem::path& path) {
-    const auto refuse = [&](int cause) {
-        throw std::runtime_error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(cause)));
-    };
-    if (std::filesystem::is_directory(path)) refuse(EISDIR);
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (file) text << file.rdbuf();
-    if (!file) refuse(errno);
-    return text.str();
 }
 
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides, Need need) {

@@ -53,11 +53,18 @@ Lateral read_lateral(Section& section, const Yarn& yarn) {
 // Plain weaves take up one to four per cent of yarn by their crimp; more is no geometry of the fabric.
 constexpr double most_crimp = 0.05;
 
-/// Distance at which two plies touch when nothing is said: the fabric's own thickness. A crimp height that stands for more than the geometry
-/// says nothing of it, and fibre without air is the least.
-double default_contact_thickness(const Fabric& fabric) {
+struct ContactThickness {
+    double value;  ///< m
+    const char* source;
+};
+
+/// Distance at which two plies touch when nothing is said: the fabric's own thickness. A crimp height that stands for more than the
+/// geometry says nothing of it, and fibre without air is the least.
+ContactThickness default_contact_thickness(const Fabric& fabric) {
     const double slope = fabric.thickness / (2 * fabric.yarn.span), crimp = std::hypot(1, slope) - 1;
-    return crimp <= most_crimp ? std::max(fabric.thickness, fabric.effective_thickness()) : fabric.effective_thickness();
+    const bool is_geometric = crimp <= most_crimp && fabric.thickness > fabric.effective_thickness();
+    if (is_geometric) return {fabric.thickness, "thickness"};
+    return {fabric.effective_thickness(), "areal_density / density"};
 }
 
 Fabric read_fabric(Section& section) {
@@ -73,15 +80,20 @@ Fabric read_fabric(Section& section) {
     fabric.friction = section.quantity("friction", ratio, non_negative, 0);
     fabric.transverse_shear = section.quantity("transverse_shear", modulus, non_negative, 0);
     fabric.hourglass = section.quantity("hourglass", ratio, non_negative, fabric.hourglass);
-    fabric.contact_thickness = section.quantity("contact_thickness", length, positive, default_contact_thickness(fabric));
+    const ContactThickness otherwise = default_contact_thickness(fabric);
+    fabric.contact_thickness = section.quantity("contact_thickness", length, positive, otherwise.value);
+    fabric.contact_thickness_source = section.has("contact_thickness") ? "contact_thickness" : otherwise.source;
     return fabric;
 }
 
 }  // namespace
 
 std::vector<Fabric> read_fabrics(Section& section) {
+    constexpr std::size_t most_fabrics = 1000;
     std::vector<Fabric> fabrics;
-    for (const std::string& name : section.keys()) {
+    const std::vector<std::string> names = section.keys();
+    section.require_at_most(names.size(), most_fabrics, "fabrics");
+    for (const std::string& name : names) {
         // The paths of overrides and messages have dots between keys.
         section.refuse_if(name.empty() || name.find_first_of(".=") != name.npos, name, "a name without '.' and '='");
         fabrics.push_back(section.required(name, read_fabric));

@@ -15,16 +15,21 @@ constexpr std::int64_t most_plies = 10000;
 // What the plies of a target have in common while they are read.
 struct Stack {
     std::span<const Fabric> fabrics;
+    std::vector<std::string> names;
     bool symmetric;
+
+    Stack(std::span<const Fabric> of_scene, bool is_symmetric) : fabrics(of_scene), symmetric(is_symmetric) {
+        for (const Fabric& fabric : fabrics) names.push_back(fabric.name);
+    }
 };
 
 std::int32_t read_fabric_name(Section& section, const Stack& stack) {
-    std::vector<std::string> names;
-    for (const Fabric& fabric : stack.fabrics) names.push_back(fabric.name);
     const std::string name = section.text("fabric");
-    const auto found = std::ranges::find(names, name);
-    if (found != names.end()) return static_cast<std::int32_t>(found - names.begin());
-    section.refuse_if(section.has("fabric"), "fabric", "the name of a fabric of the scene", nearest(name, names));
+    const auto found = std::ranges::find(stack.names, name);
+    if (found != stack.names.end()) return static_cast<std::int32_t>(found - stack.names.begin());
+    // Where no fabric could be read that is the fault, not the name.
+    const bool wrong = section.has_text("fabric") && !stack.names.empty();
+    section.refuse_if(wrong, "fabric", "the name of a fabric of the scene", nearest(name, stack.names));
     return -1;
 }
 
@@ -50,7 +55,8 @@ double read_spacing(Section& section, const Stack& stack, std::int32_t fabric, s
     const double spacing = section.quantity("spacing", length, positive, touching);
     const double rounding = 1e-12;
     section.refuse_if(spacing < touching * (1 - rounding), "spacing",
-                      fmt::format("at least {:.6g} m, the mean contact thickness of the two plies", touching));
+                      fmt::format("at least {}, the mean contact thickness of the two plies",
+                                  at_least_text(touching, section.unit_of("spacing", length))));
     return spacing;
 }
 
@@ -65,6 +71,7 @@ std::vector<Ply> read_equal_plies(Section& section, const Stack& stack) {
 
 std::vector<Ply> read_listed_plies(Section& target, const Stack& stack) {
     std::optional<std::int32_t> before;
+    target.require_at_most(target.raw("plies")->value.items.size(), most_plies, "plies");
     return target.list("plies", [&](Section& section) {
         Ply ply = read_ply(section, stack);
         if (before) {

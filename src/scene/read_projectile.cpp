@@ -26,15 +26,18 @@ void read_cylinder(Section& section, Projectile& projectile) {
 // The shot must start in front of the target, hit it, and lie in the planes of symmetry.
 void check_shot(Section& section, const Projectile& projectile, const Target& target, double surface) {
     const double rounding = 1e-9;
-    section.refuse_if(projectile.position[2] > surface * (1 - rounding), "position",
-                      fmt::format("a nose at z of at most {:.6g} m: outside the target", surface));
-    section.refuse_if(projectile.velocity[2] <= 0, "velocity", "a z component greater than 0: towards the target");
+    const MessageUnit z_unit = section.unit_of("position", length, 2);
+    section.refuse_item_if(projectile.position[2] > surface * (1 - rounding), "position", 2,
+                           fmt::format("at most {}: the nose starts in front of the first ply", at_most_text(surface, z_unit)));
+    section.refuse_item_if(projectile.velocity[2] <= 0, "velocity", 2, "more than 0: towards the target");
     for (const auto& [name, axis] : axis_names) {
-        section.refuse_if(std::abs(projectile.position[axis]) > target.size[axis] / 2, "position",
-                          fmt::format("{} within {:.6g} m of the middle: over the target", name, target.size[axis] / 2));
+        const double half = target.size[axis] / 2;
+        const MessageUnit unit = section.unit_of("position", length, axis);
+        section.refuse_item_if(std::abs(projectile.position[axis]) > half, "position", axis,
+                               fmt::format("from -{0} to {0}: over the target", at_most_text(half, unit)));
         if (!target.symmetry[axis]) continue;
-        section.refuse_if(std::abs(projectile.position[axis]) > 0, "position", fmt::format("{0} = 0 with symmetry {0}", name));
-        section.refuse_if(std::abs(projectile.velocity[axis]) > 0, "velocity", fmt::format("no {0} component with symmetry {0}", name));
+        section.refuse_item_if(std::abs(projectile.position[axis]) > 0, "position", axis, fmt::format("0 with symmetry {}", name));
+        section.refuse_item_if(std::abs(projectile.velocity[axis]) > 0, "velocity", axis, fmt::format("0 with symmetry {}", name));
     }
 }
 

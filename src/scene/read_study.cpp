@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "study_reference.hpp"
 #include "study_settings.hpp"
 #include "study_tests.hpp"
 #include "weavefront/scene/nearest.hpp"
@@ -14,6 +15,9 @@ namespace {
 
 constexpr Names<Compute, 3> compute_names{{{"impact", Compute::impact}, {"yarn", Compute::yarn}, {"cell", Compute::cell}}};
 constexpr Names<Norm, 3> norm_names{{{"l1", Norm::l1}, {"l2", Norm::l2}, {"max", Norm::max}}};
+
+constexpr double most_variants = 10'000;
+constexpr std::size_t most_quantities = 100;
 
 /// Reads one study; keeps what its parts share.
 class Reader {
@@ -31,8 +35,9 @@ class Reader {
             study.axes = read_axes(axes->value, context_);
         else
             root_.refuse_if(true, "variants", "a list of axes, such as - {target.mesh.center: [2 mm, 1 mm]}");
+        require_few_variants(study.axes);
         study.order = order(study.axes);
-        study.reference = root_.optional("reference", [&](Section& section) { return reference(section); }).value_or(Reference{});
+        study.reference = root_.optional("reference", [&](Section& section) { return reference(section, study); }).value_or(Reference{});
         study.quantities = quantities();
         tolerances(study.quantities);
         read_tests(root_, study.compute, folder_);
@@ -45,6 +50,16 @@ class Reader {
 
   private:
     [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& path) const { return (folder_ / path).lexically_normal(); }
+
+    /// The product of a few axes can be of any size.
+    void require_few_variants(const std::vector<Axis>& axes) {
+        double count = 1;
+        for (const Axis& axis : axes) count *= static_cast<double>(axis.choices.size());
+        if (count <= most_variants) return;
+        context_.findings.add(root_.raw("variants")->value.where, "variants", fmt::format("{} variants", count),
+                              fmt::format("at most {}", most_variants));
+        context_.findings.raise();
+    }
 
     [[nodiscard]] static std::string listed(const std::vector<std::string>& names) {
         return names.empty() ? "none here" : fmt::format("{}", fmt::join(names, ", "));
@@ -75,12 +90,12 @@ class Reader {
         return index;
     }
 
-    Reference reference(Section& section) {
+    Reference reference(Section& section, const Study& study) {
         Reference reference;
-        int given = 0;
+        std::size_t given = 0;
         if (const Entry* entry = section.raw("variant")) {
             reference.kind = Reference::Kind::variant;
-            reference.settings = read_settings(entry->value, "reference.variant", context_);
+            read_reference_variant(entry->value, study, context_, reference);
             ++given;
         }
         if (const Entry* entry = section.raw("closed_form")) {
@@ -94,7 +109,12 @@ class Reader {
             reference.file = beside(section.text("file"));
             ++given;
         }
-        root_.refuse_if(given != 1, "reference", "one of the keys variant, closed_form, file");
+        const std::vector<std::string> keys = section.keys();
+        const bool unknown = keys.size() > given;  // reported as such
+        if (given != 1 && !unknown)
+            context_.findings.add(root_.raw("reference")->where, "reference",
+                                  keys.empty() ? "an empty map" : fmt::format("the keys {}", fmt::join(keys, ", ")),
+                                  "one of the keys variant, closed_form, file");
         return reference;
     }
 
@@ -104,6 +124,7 @@ class Reader {
         const bool list = entry != nullptr && entry->value.kind == Value::Kind::list && !entry->value.items.empty();
         root_.refuse_if(!list, "quantities", "a list, such as [residual_velocity, {history: projectile_vz, norm: l2}]");
         if (!list) return quantities;
+        root_.require_at_most(entry->value.items.size(), most_quantities, "quantities");
         for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
             const Value& item = entry->value.items[i];
             const std::string path = fmt::format("quantities.{}", i);
@@ -156,19 +177,25 @@ class Reader {
     }
 
     void tolerances(std::vector<Measure>& quantities) {
-        root_.optional("tolerance", [&](Section& section) {
-            std::vector<std::string> names;
-            for (const Measure& quantity : quantities) names.push_back(quantity.name);
-            const bool quantities_known = std::ranges::all_of(names, [&](const std::string& name) { return could_be_quantity(name); });
-            for (const std::string& key : section.keys()) {
-                // Where a quantity is mistyped, the tolerance of what was meant is not a fault of its own.
-                if (quantities_known || !could_be_quantity(key)) require_listed(section.raw(key)->where, "tolerance", key, names);
-                const double value = section.quantity(key, ratio, non_negative);
-                for (Measure& quantity : quantities)
-                    if (quantity.name == key) quantity.tolerance = value;
-            }
-            return 0;
-        });
+        root_.optional(
+            "tolerance",
+            [&](Section& section) {
+                std::vector<std::string> names;
+                for (const Measure& quantity : quantities) names.push_back(quantity.name);
+                const bool quantities_known = std::ranges::all_of(names, [&](const std::string& name) { return could_be_quantity(name); });
+                const std::vector<std::string> keys = section.keys();
+                section.require_at_most(keys.size(), most_quantities, "tolerances");
+                for (const std::string& key : keys) {
+                    // Where a quantity is mistyped, the tolerance of what was meant is not a fault of its
+                    // own.
+                    if (quantities_known || !could_be_quantity(key)) require_listed(section.raw(key)->where, "tolerance", key, names);
+                    const double value = section.quantity(key, ratio, non_negative);
+                    for (Measure& quantity : quantities)
+                        if (quantity.name == key) quantity.tolerance = value;
+                }
+                return 0;
+            },
+            "a map of names in study.csv to numbers");
     }
 
     Section& root_;

@@ -40,7 +40,8 @@ std::optional<Frame> read_frame(Section& target, const std::array<Edge, 2>& edge
                 if (edges[axis] != Edge::frame) continue;
                 frame.half_opening[axis] = opening.quantity(name, length, positive) / 2;
                 opening.refuse_if(*frame.half_opening[axis] >= size[axis] / 2, name,
-                                  fmt::format("less than the target's {:.6g} m, which rests on both sides of it", size[axis]));
+                                  fmt::format("less than the target's {}, which rests on both sides of it",
+                                              text_of(size[axis], opening.unit_of(name, length), 6)));
             }
             return frame;
         });
@@ -79,7 +80,8 @@ Target read_target(Section& section, std::span<const Fabric> fabrics) {
     const double half = std::min(target.size[0], target.size[1]) / 2;
     target.mesh = section.required("mesh", [&](Section& mesh_section) {
         PanelMesh mesh = read_mesh(mesh_section);
-        mesh_section.refuse_if(mesh.center > half, "center", fmt::format("at most {:.6g} m, half of the target", half));
+        mesh_section.refuse_if(mesh.center > half, "center",
+                               fmt::format("at most {}, half of the target", at_most_text(half, mesh_section.unit_of("center", length))));
         return mesh;
     });
     const double nodes = nodes_of_ply(target);

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "weavefront/scene/nearest.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 namespace {
@@ -14,23 +17,40 @@ namespace {
 constexpr std::string_view later_version = "not available in this version";
 
 std::string allowed_quantity(const Dimension& dimension, const Range& range) {
-    return fmt::format("{}{}, such as '{}'", dimension.name, range.text, dimension.example);
+    return fmt::format("{}{}, such as '{}'", dimension.name, range.text, range.example.empty() ? dimension.example : range.example);
+}
+
+std::optional<MessageUnit> written_unit(const Value& value, const Dimension& dimension, const Units& units) {
+    const Quantity quantity = value.kind == Value::Kind::scalar ? units.read(value.text, dimension) : Quantity{};
+    if (!quantity.problem.empty() || quantity.unit.empty()) return std::nullopt;
+    return MessageUnit{quantity.unit, units.read("1 " + quantity.unit, dimension).value, true};
 }
 
 }  // namespace
 
 Section::Section(const Value& value, Location where, std::string path, Context& context)
     : map_(&value), where_(std::move(where)), path_(std::move(path)), context_(context) {
+    std::unordered_map<std::string_view, const Entry*> firsts;
     for (const Entry& candidate : map_->entries) {
-        const Entry* first = find(*map_, candidate.key);
-        if (first == &candidate) continue;
-        context_.findings.add(candidate.where, inside(candidate.key), "the key again, first at " + first->where.text, "once");
+        const auto [first, is_new] = firsts.try_emplace(candidate.key, &candidate);
+        if (!is_new)
+            context_.findings.add(candidate.where, inside(candidate.key), "the key again, first at " + first->second->where.text, "once");
     }
 }
 
 bool Section::has_list(std::string_view key) {
     const Entry* found = entry(key);
     return found != nullptr && found->value.kind == Value::Kind::list;
+}
+
+bool Section::has_map(std::string_view key) {
+    const Entry* found = entry(key);
+    return found != nullptr && found->value.kind == Value::Kind::map;
+}
+
+bool Section::has_text(std::string_view key) {
+    const Entry* found = entry(key);
+    return found != nullptr && found->value.kind == Value::Kind::scalar;
 }
 
 bool Section::says(std::string_view key, std::string_view word) {
@@ -44,7 +64,9 @@ const Entry* Section::entry(std::string_view key) {
     return found == nullptr || found->left_out ? nullptr : found;
 }
 
-std::string Section::inside(std::string_view key) const { return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key); }
+std::string Section::inside(std::string_view key) const {
+    return path_.empty() ? printable(key) : fmt::format("{}.{}", path_, printable(key));
+}
 
 double Section::quantity(std::string_view key, const Dimension& dimension, const Range& range, std::optional<double> otherwise) {
     const Entry* found = entry(key);
@@ -58,7 +80,11 @@ double Section::read_quantity(const Value& value, const std::string& path, const
     if (value.kind == Value::Kind::scalar) {
         const Quantity quantity = context_.units.read(value.text, dimension);
         const bool low = range.low_included ? quantity.value < range.low : quantity.value <= range.low;
-        if (quantity.problem.empty() && !low && quantity.value <= range.high) return quantity.value;
+        if (quantity.problem.empty() && !low && quantity.value <= range.high) {
+            if (dimension.unit != nullptr && !(context_.message_units.*dimension.unit).written)
+                if (auto unit = written_unit(value, dimension, context_.units)) context_.message_units.*dimension.unit = std::move(*unit);
+            return quantity.value;
+        }
         if (!quantity.problem.empty()) found += ", " + quantity.problem;
         meant = quantity.nearest;
     }
@@ -144,8 +170,9 @@ std::vector<std::size_t> Section::name_list(std::string_view key, const std::vec
 
 std::vector<std::string> Section::keys() const {
     std::vector<std::string> keys;
+    std::unordered_set<std::string_view> seen;
     for (const Entry& candidate : map_->entries) {
-        if (!candidate.left_out && find(*map_, candidate.key) == &candidate) keys.push_back(candidate.key);
+        if (seen.insert(candidate.key).second && !candidate.left_out) keys.push_back(candidate.key);
     }
     return keys;
 }
@@ -170,10 +197,38 @@ void Section::refuse_if(bool refused, std::string_view key, std::string_view all
     }
 }
 
+void Section::refuse_item_if(bool refused, std::string_view key, std::size_t item, std::string_view allowed) {
+    if (!refused) return;
+    const Entry* found = entry(key);
+    if (found == nullptr || item >= found->value.items.size()) return refuse_if(true, key, allowed);
+    const Value& value = found->value.items[item];
+    context_.findings.add(value.where, fmt::format("{}.{}", inside(key), item), describe(value), allowed);
+}
+
+void Section::require_at_most(std::size_t found, std::size_t most, std::string_view of) {
+    if (found <= most) return;
+    context_.findings.silence(false);
+    context_.findings.add(where_, path_, fmt::format("{} {}", found, of), fmt::format("at most {}", most));
+    context_.findings.raise();
+}
+
+MessageUnit Section::unit_of(std::string_view key, const Dimension& dimension, std::size_t item) {
+    if (const Entry* found = entry(key)) {
+        const Value& value = item < found->value.items.size() ? found->value.items[item] : found->value;
+        if (auto unit = written_unit(value, dimension, context_.units)) return *unit;
+    }
+    return context_.message_units.*dimension.unit;
+}
+
 void Section::refuse_unknown() {
+    // Maps whose keys the user chooses may have many.
+    const std::unordered_set<std::string_view> known(known_.begin(), known_.end());
     for (const Entry& candidate : map_->entries) {
-        if (std::ranges::find(known_, candidate.key) != known_.end()) continue;
-        context_.findings.add(candidate.where, inside(candidate.key), "an unknown key", known_keys(), nearest(candidate.key, known_));
+        if (known.contains(candidate.key)) continue;
+        if (context_.findings.full())
+            context_.findings.count(1);
+        else
+            context_.findings.add(candidate.where, inside(candidate.key), "an unknown key", known_keys(), nearest(candidate.key, known_));
     }
 }
 

@@ -27,19 +27,21 @@ struct Range {
     double low;
     bool low_included;
     double high;
-    std::string_view text;  ///< as messages say it, after the dimension; the upper end is included
+    std::string_view text;          ///< as messages say it, after the dimension; the upper end is included
+    std::string_view example = {};  ///< where that of the dimension is outside
 };
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 inline constexpr Range any_value{-unbounded, true, unbounded, ""};
 inline constexpr Range positive{0, false, unbounded, " greater than 0"};
 inline constexpr Range non_negative{0, true, unbounded, " of at least 0"};
-inline constexpr Range at_least_one{1, true, unbounded, " of at least 1"};
+inline constexpr Range at_least_one{1, true, unbounded, " of at least 1", "1.5 or 150 %"};
 
 /// What all sections of a scene share.
 struct Context {
-    Units units;
+    const Units& units = shared_units();
     Findings findings;
+    MessageUnits message_units;
 };
 
 /// One map of the scene. Values that cannot be had are NaN (or the default), and a finding is noted.
@@ -53,6 +55,8 @@ class Section {
     /// Whether the key is there; asking makes it a known key.
     bool has(std::string_view key) { return entry(key) != nullptr; }
     bool has_list(std::string_view key);
+    bool has_map(std::string_view key);
+    bool has_text(std::string_view key);
     /// What the file holds under the key, for readers of their own; null when it is not there.
     const Entry* raw(std::string_view key) { return entry(key); }
     /// Whether the value is this word.
@@ -99,18 +103,20 @@ class Section {
     }
 
     /// A map that must be there. @param read function of a Section&, whose result is returned
+    /// @param allowed what it is, in messages, where users choose its keys; empty: a map with the keys that
+    /// `read` asks for
     template <typename Read>
-    auto required(std::string_view key, Read read) {
+    auto required(std::string_view key, Read read, std::string_view allowed = {}) {
         const Entry* found = entry(key);
-        if (found != nullptr) return within(found->value, found->where, inside(key), read);
-        return absent(where_, inside(key), "nothing", read);
+        if (found != nullptr) return within(found->value, found->where, inside(key), read, allowed);
+        return absent(where_, inside(key), "nothing", read, allowed);
     }
 
     /// A map that may be left out.
     template <typename Read>
-    auto optional(std::string_view key, Read read) -> std::optional<std::invoke_result_t<Read, Section&>> {
+    auto optional(std::string_view key, Read read, std::string_view allowed = {}) -> std::optional<std::invoke_result_t<Read, Section&>> {
         if (!has(key)) return std::nullopt;
-        return required(key, read);
+        return required(key, read, allowed);
     }
 
     /// A list of maps; the results of reading each. @param read function of a Section&
@@ -120,7 +126,7 @@ class Section {
         const Value& value = entry(key)->value;
         for (std::size_t i = 0; i < value.items.size(); ++i) {
             const Value& item = value.items[i];
-            results.push_back(within(item, item.where, inside(key) + "." + std::to_string(i), read));
+            results.push_back(within(item, item.where, inside(key) + "." + std::to_string(i), read, {}));
         }
         return results;
     }
@@ -134,6 +140,19 @@ class Section {
     /// Notes a finding about the value of a key (where the section stands when the key is absent) if `refused`.
     /// @param allowed what would have been
     void refuse_if(bool refused, std::string_view key, std::string_view allowed, std::string_view hint = {});
+
+    /// The same about an item of the list under a key; about the list where it has no such item.
+    void refuse_item_if(bool refused, std::string_view key, std::size_t item, std::string_view allowed);
+
+    /// Ends the reading, with all findings up to here, where there is more than anybody means: reading on
+    /// might take for ever.
+    /// @param of what is counted @throws InputError when `found` is more than `most`
+    void require_at_most(std::size_t found, std::size_t most, std::string_view of);
+
+    /// The unit that the value of a key has, or else the one that the scene uses for that dimension: for
+    /// bounds in messages.
+    /// @param item of the list under the key, if it is one
+    [[nodiscard]] MessageUnit unit_of(std::string_view key, const Dimension& dimension, std::size_t item = 0);
 
     /// Notes a finding for every key that was never asked for.
     void refuse_unknown();
@@ -156,8 +175,8 @@ class Section {
     [[nodiscard]] std::string known_keys() const;
 
     template <typename Read>
-    auto within(const Value& value, const Location& where, const std::string& path, Read read) {
-        if (value.kind != Value::Kind::map) return absent(value.where, path, describe(value), read);
+    auto within(const Value& value, const Location& where, const std::string& path, Read read, std::string_view allowed) {
+        if (value.kind != Value::Kind::map) return absent(value.where, path, describe(value), read, allowed);
         Section section(value, where, path, context_);
         auto result = read(section);
         section.refuse_unknown();
@@ -166,14 +185,14 @@ class Section {
 
     // The result of an empty map, so that one finding stands for all that is missing.
     template <typename Read>
-    auto absent(const Location& where, const std::string& path, std::string_view found, Read read) {
+    auto absent(const Location& where, const std::string& path, std::string_view found, Read read, std::string_view allowed) {
         static const Value empty{.kind = Value::Kind::map};
         const bool silent = context_.findings.silent();
         context_.findings.silence(true);
         Section section(empty, where, path, context_);
         auto result = read(section);
         context_.findings.silence(silent);
-        context_.findings.add(where, path, found, "a map with keys " + section.known_keys());
+        context_.findings.add(where, path, found, allowed.empty() ? "a map with keys " + section.known_keys() : std::string(allowed));
         return result;
     }
 };

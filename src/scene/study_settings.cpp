@@ -5,9 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
+
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 namespace {
+
+constexpr std::size_t most_axes = 100;
 
 void emit(YAML::Emitter& emitter, const Value& value) {
     switch (value.kind) {
@@ -66,11 +71,10 @@ Axis read_axis(const Entry& entry, const std::string& path, Context& context) {
     if (axis.choices.empty())
         context.findings.add(entry.value.where, path, describe(entry.value),
                              "a list of values, or a map of names to maps of paths and values");
-    for (std::size_t i = 0; i < axis.choices.size(); ++i) {
-        const auto same = [&](const Choice& other) { return other.label == axis.choices[i].label; };
-        if (std::any_of(axis.choices.begin(), axis.choices.begin() + static_cast<std::ptrdiff_t>(i), same))
-            context.findings.add(entry.value.where, path, fmt::format("'{}' again", axis.choices[i].label), "each value once");
-    }
+    std::unordered_set<std::string_view> labels;
+    for (const Choice& choice : axis.choices)
+        if (!labels.insert(choice.label).second)
+            context.findings.add(entry.value.where, path, fmt::format("'{}' again", printable(choice.label)), "each value once");
     return axis;
 }
 
@@ -86,8 +90,9 @@ std::vector<Setting> read_settings(const Value& map, const std::string& path, Co
     std::vector<Setting> settings;
     if (map.kind != Value::Kind::map)
         context.findings.add(map.where, path, describe(map), "a map of paths and values, such as {time.end: 80 us}");
+    std::unordered_set<std::string_view> keys;
     for (const Entry& entry : map.entries) {
-        if (find(map, entry.key) != &entry) context.findings.add(entry.where, path + "." + entry.key, "the key again", "once");
+        if (!keys.insert(entry.key).second) context.findings.add(entry.where, path + "." + entry.key, "the key again", "once");
         settings.push_back({entry.key, entry.value.kind == Value::Kind::null ? "" : flow_text(entry.value), entry.value.where.text});
     }
     return settings;
@@ -97,6 +102,10 @@ std::vector<Axis> read_axes(const Value& list, Context& context) {
     std::vector<Axis> axes;
     constexpr std::string_view allowed = "a list of axes, such as - {target.mesh.center: [2 mm, 1 mm]}";
     if (list.kind != Value::Kind::list || list.items.empty()) context.findings.add(list.where, "variants", describe(list), allowed);
+    if (list.items.size() > most_axes) {
+        context.findings.add(list.where, "variants", fmt::format("{} axes", list.items.size()), fmt::format("at most {}", most_axes));
+        context.findings.raise();
+    }
     for (std::size_t i = 0; i < list.items.size(); ++i) {
         const Value& item = list.items[i];
         const std::string path = fmt::format("variants.{}", i);

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "hash.hpp"
 #include "overrides.hpp"
 #include "study_tests.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/scene/study.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 namespace {
+
+// Thousands of variants may all have thousands of faults.
+constexpr std::size_t enough_messages = 1000;
 
 /// The last key of a path, with its index where it is an item of a list.
 std::string short_name(const std::string& axis) {
@@ -34,20 +40,24 @@ std::string folder_part(const std::string& axis, const std::string& label) {
     return kept(short_name(axis)) + "=" + kept(label);
 }
 
-std::string folder_of(const Study& study, const std::vector<std::string>& labels) {
-    std::string name;
+/// Names longer than file systems take (255 bytes) are cut; a hash of all of it tells them apart.
+std::string of_bounded_length(const std::string& name) {
+    constexpr std::size_t most = 200;
+    return name.size() <= most ? name : name.substr(0, most - 17) + "~" + hash_of(name);
+}
+
+std::string folder_of(const Study& study, const std::vector<std::string>& labels, const std::string& start = {}) {
+    std::string name = start;
     for (std::size_t i = 0; i < study.axes.size(); ++i)
         name += fmt::format("{}{}", i > 0 ? "," : "", folder_part(study.axes[i].name, labels[i]));
-    return name;
+    return of_bounded_length(name);
 }
 
 /// Different labels may give the same name: `1 /mm` and `1/mm`. The later one gets a number.
 void tell_apart(std::vector<Variant>& variants) {
-    for (std::size_t i = 0; i < variants.size(); ++i) {
-        const auto before = variants.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto same = std::count_if(variants.begin(), before, [&](const Variant& other) { return other.name == variants[i].name; });
-        if (same > 0) variants[i].name += fmt::format("#{}", same + 1);
-    }
+    std::unordered_map<std::string, int> given;
+    for (Variant& variant : variants)
+        if (const int same = ++given[variant.name]; same > 1) variant.name += fmt::format("#{}", same);
 }
 
 bool of_study(const Setting& setting, Compute compute) {
@@ -71,27 +81,32 @@ Tests changed_tests(const Study& study, const std::vector<Setting>& settings) {
 std::string text_of(const Tests& tests, Compute compute) {
     if (compute == Compute::yarn) return fmt::format("yarn {} {} {}", tests.yarn.rate, tests.yarn.strain, tests.yarn.steps);
     if (compute == Compute::cell) {
-        const std::string path = hash_of(read_text(tests.cell.path));
+        const std::string path = hash_of(read_text(tests.cell.path, most_of_table));
         return fmt::format("cell {} {} {}", path, tests.cell.refinement, tests.cell.crimp_tolerance);
     }
     return "";
 }
 
+/// Adds the choice of one more axis.
+void choose(Variant& variant, const Axis& axis, std::size_t index) {
+    const Choice& choice = axis.choices[index];
+    variant.labels.push_back(choice.label);
+    variant.values.push_back(choice.value);
+    variant.choices.push_back(index);
+    variant.settings.insert(variant.settings.end(), choice.settings.begin(), choice.settings.end());
+}
+
 }  // namespace
 
 std::vector<Variant> variants_of(const Study& study) {
-    std::vector<Variant> variants{{.name = "", .labels = {}, .values = {}, .settings = study.set}};
+    std::vector<Variant> variants{{.name = "", .labels = {}, .values = {}, .choices = {}, .settings = study.set}};
     for (const Axis& axis : study.axes) {
         std::vector<Variant> wider;
-        for (const Variant& variant : variants) {
-            for (const Choice& choice : axis.choices) {
-                Variant next = variant;
-                next.labels.push_back(choice.label);
-                next.values.push_back(choice.value);
-                next.settings.insert(next.settings.end(), choice.settings.begin(), choice.settings.end());
-                wider.push_back(std::move(next));
+        for (const Variant& variant : variants)
+            for (std::size_t c = 0; c < axis.choices.size(); ++c) {
+                wider.push_back(variant);
+                choose(wider.back(), axis, c);
             }
-        }
         variants = std::move(wider);
     }
     for (Variant& variant : variants) variant.name = folder_of(study, variant.labels);
@@ -100,7 +115,9 @@ std::vector<Variant> variants_of(const Study& study) {
 }
 
 Variant reference_of(const Study& study, const Variant& variant) {
-    Variant reference = variant;
+    Variant reference{.name = "", .labels = {}, .values = {}, .choices = {}, .settings = study.set};
+    for (std::size_t i = 0; i < study.axes.size(); ++i)
+        choose(reference, study.axes[i], study.reference.choices[i].value_or(variant.choices[i]));
     const auto& changes = study.reference.settings;
     reference.settings.insert(reference.settings.end(), changes.begin(), changes.end());
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
@@ -110,7 +127,7 @@ Variant reference_of(const Study& study, const Variant& variant) {
         std::erase(reference.labels[i], '"');
         reference.values[i].reset();
     }
-    reference.name = "reference," + folder_of(study, reference.labels);
+    reference.name = folder_of(study, reference.labels, "reference,");
     return reference;
 }
 
@@ -119,20 +136,25 @@ Case parse_case(const Study& study, const std::string& scene_text, const Variant
     for (const Setting& setting : variant.settings) (of_study(setting, study.compute) ? study_settings : scene_settings).push_back(setting);
     const Need need = study.compute == Compute::impact ? Need::impact : Need::fabrics;
     std::vector<std::string> messages;
+    std::size_t more = 0;
+    const auto take = [&](const InputError& error) {
+        messages.insert(messages.end(), error.messages().begin(), error.messages().end());
+        more += error.more();
+    };
     Case result;
     Tests tests;
     try {
         const auto change = [&](Value& root, Findings& findings) { apply_settings(root, scene_settings, findings); };
         result.scene = parse_changed_scene(scene_text, study.scene.string(), change, need);
     } catch (const InputError& error) {
-        messages = error.messages();
+        take(error);
     }
     try {
         tests = changed_tests(study, study_settings);
     } catch (const InputError& error) {
-        messages.insert(messages.end(), error.messages().begin(), error.messages().end());
+        take(error);
     }
-    if (!messages.empty()) throw InputError(messages);
+    if (!messages.empty()) throw InputError(messages, more);
     result.yarn = tests.yarn;
     result.cell = tests.cell;
     result.hash = study.compute == Compute::impact ? result.scene.hash : hash_of(result.scene.resolved + text_of(tests, study.compute));
@@ -142,16 +164,20 @@ Case parse_case(const Study& study, const std::string& scene_text, const Variant
 std::vector<Case> parse_cases(const Study& study, const std::string& scene_text, const std::vector<Variant>& variants) {
     std::vector<Case> cases;
     std::vector<std::string> messages;
+    std::unordered_set<std::string> known;
+    std::size_t more = 0;
     for (const Variant& variant : variants) {
         try {
             cases.push_back(parse_case(study, scene_text, variant));
         } catch (const InputError& error) {
+            more = std::max(more, error.more());
             for (const std::string& message : error.messages())
-                if (std::ranges::find(messages, message) == messages.end()) messages.push_back(message);
+                if (known.insert(message).second) messages.push_back(message);
+            if (messages.size() >= enough_messages) break;
         }
     }
     if (messages.empty()) messages = study.order_findings;
-    if (!messages.empty()) throw InputError(messages);
+    if (!messages.empty()) throw InputError(messages, more);
     return cases;
 }
 

@@ -7,10 +7,14 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "utf8.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 namespace {
@@ -22,12 +26,6 @@ constexpr std::array known_dimensions{length,  area,          mass,    duration,
                                       density, areal_density, modulus, viscosity, area_stiffness};
 
 Unit parse_unit(ut_system* system, std::string_view text) { return {ut_parse(system, std::string(text).c_str(), UT_UTF8), &ut_free}; }
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 double to_double(std::string_view text) {
     double value = std::numeric_limits<double>::quiet_NaN();
@@ -51,6 +49,30 @@ double scaled(std::string_view number, double scale) {
     const double rounding = 1e-13;  // udunits2 multiplies a handful of factors, each rounded to 1.1e-16
     if (std::abs(scale / to_double(fmt::format("1e{}", power)) - 1) < rounding) return shifted(number, power);
     return to_double(number) * scale;
+}
+
+/// Every space of Unicode as the plain one: texts copied from a PDF have no-break and thin ones between
+/// number and unit.
+std::string with_plain_spaces(std::string_view text) {
+    std::string plain;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto [code, bytes] = first_character(text.substr(at));
+        const std::size_t length = std::max<std::size_t>(bytes, 1);
+        if (bytes > 0 && is_other_space(code))
+            plain += ' ';
+        else
+            plain += text.substr(at, length);
+        at += length;
+    }
+    return plain;
+}
+
+/// What is wrong with a sign that looks like a minus; empty: it is none.
+std::string minus_lookalike(std::string_view text) {
+    if (text.empty()) return {};
+    const auto code = first_character(text).code;
+    const bool dash = (code >= 0x2010 && code <= 0x2015) || code == 0x2212;
+    return dash ? fmt::format("a dash U+{:04X} in place of the minus sign '-'", static_cast<std::uint32_t>(code)) : std::string();
 }
 
 // udunits2 does not know `deg`, and takes angles for plain numbers.
@@ -94,9 +116,17 @@ Units::Units() : system_(nullptr, &ut_free_system) {
     if (!system_) throw std::runtime_error("the unit database of udunits2 cannot be read (package libudunits2-data; UDUNITS2_XML_PATH)");
 }
 
+const Units& shared_units() {
+    static thread_local const Units units;
+    return units;
+}
+
 Quantity Units::read(std::string_view text, const Dimension& wanted) const {
+    const std::string plain = with_plain_spaces(text);
+    if (plain != text) return read(plain, wanted);
     text = trimmed(text);
     if (text.starts_with('+')) text.remove_prefix(1);
+    if (const auto minus = minus_lookalike(text); !minus.empty()) return {.problem = minus};
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc::invalid_argument) return {.problem = "not a number"};
@@ -112,6 +142,7 @@ Quantity Units::read(std::string_view text, const Dimension& wanted) const {
         return {.problem = std::string(angle.name)};
     }
     Quantity quantity = convert(number, unit, wanted);
+    quantity.unit = unit;
     if (quantity.problem.empty()) return quantity;
     if (const auto meant = written_out(unit); !meant.empty() && convert(number, meant, wanted).problem.empty())
         quantity.nearest = fmt::format("{} {}", number, meant);
@@ -119,9 +150,10 @@ Quantity Units::read(std::string_view text, const Dimension& wanted) const {
 }
 
 Quantity Units::convert(std::string_view number, std::string_view unit, const Dimension& wanted) const {
-    const bool second_number = (unit[0] >= '0' && unit[0] <= '9' && !unit.starts_with("1/")) || unit[0] == '.' || unit[0] == ',';
+    constexpr std::string_view of_numbers = "0123456789.,+-";
+    const bool second_number = of_numbers.find(unit[0]) != of_numbers.npos && !unit.starts_with("1/");
     const Unit from = parse_unit(system_.get(), unit);
-    if (second_number || !from) return {.problem = fmt::format("'{}' is not a unit", unit)};
+    if (second_number || !from) return {.problem = fmt::format("'{}' is not a unit", printable(unit))};
     if (wanted.name == angle.name) return {.problem = describe(system_.get(), from.get())};
 
     const Unit to = parse_unit(system_.get(), wanted.si);
@@ -129,7 +161,7 @@ Quantity Units::convert(std::string_view number, std::string_view unit, const Di
     const Converter converter(ut_get_converter(from.get(), to.get()), &cv_free);
     const double scale = converter ? cv_convert_double(converter.get(), 1.0) : 0;
     const bool pure_scale = converter && cv_convert_double(converter.get(), 0.0) == 0 && scale > 0;
-    if (!pure_scale) return {.problem = fmt::format("'{}' is not a scale from zero", unit)};
+    if (!pure_scale) return {.problem = fmt::format("'{}' is not a scale from zero", printable(unit))};
     const double value = scaled(number, scale);
     if (!std::isfinite(value)) return {.problem = "beyond the range of numbers"};
     return {.value = value};

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "weavefront/scene/message_units.hpp"
+
 namespace weavefront::scene {
 
 /// A kind of physical quantity.
@@ -16,27 +18,29 @@ struct Dimension {
     std::string_view name;     ///< with its article, as messages say it
     std::string_view si;       ///< the unit values are kept in; empty: none
     std::string_view example;  ///< how a user might write one
+    MessageUnit MessageUnits::*unit = nullptr;
 };
 
 inline constexpr Dimension ratio{"a number", "", "0.5 or 50 %"};
 inline constexpr Dimension angle{"an angle", "rad", "35 deg"};
-inline constexpr Dimension length{"a length", "m", "0.9 mm"};
-inline constexpr Dimension area{"an area", "m^2", "0.06 mm^2"};
-inline constexpr Dimension mass{"a mass", "kg", "2.8 g"};
-inline constexpr Dimension duration{"a time", "s", "200 us"};
-inline constexpr Dimension rate{"a rate", "1/s", "100 1/s"};
-inline constexpr Dimension speed{"a velocity", "m/s", "428 m/s"};
-inline constexpr Dimension density{"a density", "kg/m^3", "1440 kg/m^3"};
-inline constexpr Dimension areal_density{"an areal density", "kg/m^2", "204 g/m^2"};
-inline constexpr Dimension modulus{"a modulus", "Pa", "96 GPa"};
-inline constexpr Dimension viscosity{"a viscosity", "Pa s", "35 MPa s"};
-inline constexpr Dimension area_stiffness{"a stiffness per area", "N/m^3", "5.6e12 N/m^3"};
+inline constexpr Dimension length{"a length", "m", "0.9 mm", &MessageUnits::length};
+inline constexpr Dimension area{"an area", "m^2", "0.06 mm^2", &MessageUnits::area};
+inline constexpr Dimension mass{"a mass", "kg", "2.8 g", &MessageUnits::mass};
+inline constexpr Dimension duration{"a time", "s", "200 us", &MessageUnits::time};
+inline constexpr Dimension rate{"a rate", "1/s", "100 1/s", &MessageUnits::rate};
+inline constexpr Dimension speed{"a velocity", "m/s", "428 m/s", &MessageUnits::speed};
+inline constexpr Dimension density{"a density", "kg/m^3", "1440 kg/m^3", &MessageUnits::density};
+inline constexpr Dimension areal_density{"an areal density", "kg/m^2", "204 g/m^2", &MessageUnits::areal_density};
+inline constexpr Dimension modulus{"a modulus", "Pa", "96 GPa", &MessageUnits::modulus};
+inline constexpr Dimension viscosity{"a viscosity", "Pa s", "35 MPa s", &MessageUnits::viscosity};
+inline constexpr Dimension area_stiffness{"a stiffness per area", "N/m^3", "5.6e12 N/m^3", &MessageUnits::area_stiffness};
 
 /// What a text says as a quantity.
 struct Quantity {
     double value = std::numeric_limits<double>::quiet_NaN();  ///< SI; NaN when there is a problem
     std::string problem = {};                                 ///< what it is instead of what was wanted; empty: nothing
     std::string nearest = {};                                 ///< how to write what was probably meant; empty: unknown
+    std::string unit = {};                                    ///< as written; empty: none
 };
 
 /// The database of units. udunits2 is not thread-safe: one object, one thread.
@@ -57,5 +61,9 @@ class Units {
 
     [[nodiscard]] Quantity convert(std::string_view number, std::string_view unit, const Dimension& wanted) const;
 };
+
+/// The database, read once for each thread: a study parses its scene thousands of times.
+/// @throws std::runtime_error when it cannot be read
+const Units& shared_units();
 
 }  // namespace weavefront::scene

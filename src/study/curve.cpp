@@ -3,27 +3,73 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
+#include <utility>
 
+#include "weavefront/scene/read.hpp"
+#include "weavefront/scene/text.hpp"
 #include "weavefront/study/text_table.hpp"
 
 namespace weavefront::study {
 namespace {
 
-double number(const std::string& cell, const std::string& where) {
-    if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
-    double value = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || end != cell.data() + cell.size())
-        throw std::runtime_error(fmt::format("{}: found '{}', allowed a number", where, cell));
-    return value;
-}
+/// The columns of a table while its lines are read.
+class Table {
+  public:
+    Table(const std::string& text, std::string name) : lines_(text), name_(std::move(name)) {}
+
+    /// @param may_be_cut the last line, as of a history whose run was killed
+    Columns read(bool may_be_cut) {
+        std::string line;
+        if (!std::getline(lines_, line)) throw scene::InputError({name_ + ":1:1: found nothing, allowed a header and rows of numbers"});
+        read_header(line);
+        while (std::getline(lines_, line)) {
+            ++line_;
+            if (scene::trimmed(line).empty() || line.front() == '#') continue;
+            const auto cells = cells_of(line);
+            if (may_be_cut && lines_.eof() && cells.size() < names_.size()) break;
+            read_row(cells);
+        }
+        findings_.raise();
+        Columns result;
+        for (std::size_t i = 0; i < names_.size(); ++i) result[names_[i]] = std::move(columns_[i]);
+        return result;
+    }
+
+  private:
+    void report(std::size_t column, const std::string& what) { findings_.add(fmt::format("{}:{}:{}: {}", name_, line_, column, what)); }
+
+    void read_header(const std::string& line) {
+        for (const Cell& cell : cells_of(line)) {
+            if (std::ranges::find(names_, cell.text) != names_.end())
+                report(cell.column, fmt::format("found the column '{}' again, allowed once", scene::printable(cell.text)));
+            names_.push_back(cell.text);
+        }
+        columns_.resize(names_.size());
+    }
+
+    void read_row(const std::vector<Cell>& cells) {
+        if (cells.size() != names_.size())
+            return report(1, fmt::format("found {} cells, allowed {}, one a column of the header", cells.size(), names_.size()));
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const auto value = scene::finite_number(cells[i].text);
+            if (!value && !cells[i].text.empty())
+                report(cells[i].column, fmt::format("{}: found '{}', allowed a finite number or an empty cell", scene::printable(names_[i]),
+                                                    scene::printable(cells[i].text)));
+            columns_[i].push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+        }
+    }
+
+    std::istringstream lines_;
+    std::string name_;
+    std::size_t line_ = 1;
+    std::vector<std::string> names_;
+    std::vector<std::vector<double>> columns_;
+    scene::MessageList findings_;
+};
 
 double at(const Curve& curve, double time) {
     const auto after = std::ranges::upper_bound(curve.time, time);
@@ -54,32 +100,14 @@ class Sum {
 }  // namespace
 
 Columns read_columns(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf())) throw std::runtime_error(fmt::format("{}: cannot be read, or is empty", path.string()));
-    return parse_columns(text.str(), path.string());
+    try {
+        return Table(scene::read_text(path, scene::most_of_table), path.string()).read(true);
+    } catch (const scene::InputError& fault) {
+        throw std::runtime_error(fault.what());  // no user has written it
+    }
 }
 
-Columns parse_columns(const std::string& text, const std::string& name) {
-    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-    std::istringstream file(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text);
-    std::string line;
-    if (!std::getline(file, line)) throw std::runtime_error(fmt::format("{}: empty, allowed a header and rows of numbers", name));
-    const std::vector<std::string> names = cells_of(line);
-    std::vector<std::vector<double>> columns(names.size());
-    for (int number_of_line = 2; std::getline(file, line); ++number_of_line) {
-        if (line.empty() || line.front() == '#') continue;
-        const std::vector<std::string> cells = cells_of(line);
-        const std::string where = fmt::format("{}:{}", name, number_of_line);
-        if (cells.size() < names.size() && file.eof()) break;
-        if (cells.size() != names.size())
-            throw std::runtime_error(fmt::format("{}: found {} cells, allowed {}", where, cells.size(), names.size()));
-        for (std::size_t i = 0; i < cells.size(); ++i) columns[i].push_back(number(cells[i], where));
-    }
-    Columns result;
-    for (std::size_t i = 0; i < names.size(); ++i) result[names[i]] = std::move(columns[i]);
-    return result;
-}
+Columns parse_columns(const std::string& text, const std::string& name) { return Table(text, name).read(false); }
 
 double distance(const Curve& curve, const Curve& reference, scene::Norm norm) {
     if (curve.time.size() < 2 || reference.time.size() < 2) return std::numeric_limits<double>::quiet_NaN();

@@ -20,6 +20,7 @@
 #include "allocations.hpp"
 #include "textbook_step.hpp"
 #include "weavefront/scene/read.hpp"
+#include "weavefront/scene/text.hpp"
 #include "weavefront/solver/simulation.hpp"
 
 // Not mangled and never inlined: Callgrind collects between its entry and its exit (--toggle-collect=measured_steps).

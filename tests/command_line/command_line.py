@@ -17,7 +17,7 @@ CASES = [
     (["explode"], 2, ["subcommand 'explode': unknown, allowed run, check, cell, yarn, study, partition"]),
     (["v50", "a.yaml"], 2, ["subcommand 'v50': not available in this version"]),
     (["study"], 2, [""]),
-    (["study", "no_such_file.yaml"], 3, ["no_such_file.yaml: cannot be read: No such file or directory"]),
+    (["study", "no_such_file.yaml"], 2, ["no_such_file.yaml: cannot be read: No such file or directory"]),
     (["partition", "a.yaml"], 2, ["partition: allowed is one of --ranks LIST and --calibrate FILE"]),
     (["run", "a.yaml", "--outptu", "d"], 2, ["option '--outptu': unknown, allowed --help, "]),
     (["run", "a.yaml", "--restart", "c.h5"], 2, ["option '--restart': not available in this version"]),
@@ -25,13 +25,17 @@ CASES = [
     (["run", "a.yaml", "--rebalance"], 2, ["--rebalance: 1 required"]),
     (["run", "a.yaml", "--rebalance", "-1"], 2, ["--rebalance: found '-1', allowed a number of at least 0"]),
     (["run", "a.yaml", "--rebalance", "nan"], 2, ["--rebalance: found 'nan', allowed a number of at least 0"]),
-    (["yarn", "--rates", "1,10", "no_such_file.yaml", "--out", "y.csv"], 3, ["no_such_file.yaml: cannot be read"]),
+    (["yarn", "--rates", "", "a.yaml", "--out", "y.csv"], 2, ["--rates: found '', allowed positive strain rates in 1/s, such as 1,10,100"]),
+    (["yarn", "--rates", "1,,2", "a.yaml", "--out", "y.csv"], 2, ["--rates: found '', allowed positive strain rates"]),
+    (["yarn", "--rates", "0x10,1", "a.yaml", "--out", "y.csv"], 2, ["--rates: found '0x10', allowed positive strain rates"]),
+    (["yarn", "--rates", "1,nan,-2", "a.yaml", "--out", "y.csv"], 2, ["--rates: found 'nan', ", "--rates: found '-2', "]),
+    (["yarn", "--rates", "1,10", "no_such_file.yaml", "--out", "y.csv"], 2, ["no_such_file.yaml: cannot be read"]),
     (["--vresion"], 2, ["option '--vresion': unknown, allowed --help, --version, did you mean '--version'?"]),
     (["run"], 2, [""]),
-    (["check", "folder"], 3, ["folder: cannot be read: Is a directory"]),
+    (["check", "folder"], 2, ["folder: cannot be read: Is a directory"]),
     (["check", "study.yaml"], 2, ["study.yaml:2:11: variants: found a study, allowed a scene; studies are computed by weavefront study"]),
     (["study", "bad.yaml"], 2, ["bad.yaml:2:10: fabrics: found a scene, allowed a study, which names its scene"]),
-    (["check", "no_such_file.yaml"], 3, ["no_such_file.yaml: cannot be read: No such file or directory"]),
+    (["check", "no_such_file.yaml"], 2, ["no_such_file.yaml: cannot be read: No such file or directory"]),
     (
         ["check", "--set", "title=x", "--set", "fabrics.b.yarn=1", "bad.yaml"],
         2,
@@ -74,7 +78,7 @@ def main():
 
             # What all ranks find alike is told by the first one, in its status too: a failure elsewhere would kill it before it has printed.
             other_rank = call(program, arguments, rank=1)
-            assert (other_rank.returncode, other_rank.stdout, other_rank.stderr) == (3 if status == 3 else 0, "", ""), (arguments, other_rank)
+            assert (other_rank.returncode, other_rank.stdout, other_rank.stderr) == (0, "", ""), (arguments, other_rank)
 
 
 main()

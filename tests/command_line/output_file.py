@@ -13,7 +13,7 @@ def call(program, *arguments):
 
 
 def main():
-    program, example = sys.argv[1:]
+    program, example = sys.argv[1:3]
     with tempfile.TemporaryDirectory() as folder:
         scene, path = Path(folder) / "scene.yaml", Path(folder) / "path.csv"
         scene.write_text(Path(example).read_text())

@@ -79,7 +79,28 @@ REFUSALS = [
     ("time,F11,F12,F21,F22\n0,1,0,0,1\n1, 1,x,0,1\n2,1,0,1\n0,1,0,0,1\n3,-1,0,0,1\n4,nan,0,0,1\n",
      ["3:6: F12: found 'x', allowed a finite number", "4:1: found 4 fields, allowed 5", "5:1: time: found 0, allowed more than the 0",
       "6:3: found F with determinant -1", "7:3: F11: found 'nan'"]),
+    ("time,F11,F12,F21,F22\n0,1,0,0,1\n1,1e300,0,0,1\n2,1,0,0,-inf\n3,1,0,0,1e-9\n4,1,0x1,0,1\n",
+     ["3:3: found a stretch of 1e+300 of the fill yarns, allowed one from 0.01 to 100", "4:9: F22: found '-inf', allowed a finite number",
+      "5:5: found a stretch of 1e-09 of the warp yarns, allowed one from 0.01 to 100", "6:5: F12: found '0x1', allowed a finite number"]),
+    ("time,F11,F12,F21,F22\n0,1,0,0,1\n1,1,0,0,1,\n", ["3:1: found 6 fields, allowed 5: time,F11,F12,F21,F22"]),
 ]
+
+
+def check_far_apart(program, scene):
+    """A curve has its hundred rows also where the yarn breaks long before both strains have been reached."""
+    result = call(program, "yarn", scene, "--rates", "1e-3", "--out", "yarn.csv", "--set", "fabrics.kevlar129.failure.static_strain=0.1 %",
+                  "--set", "fabrics.kevlar129.failure.hooke_strain=100 %")
+    assert result.returncode == 0, result
+    rows = rows_of("yarn.csv")[1]
+    assert 100 < len(rows) < 402 and rows[-1]["failure"] == 20 and abs(rows[-1]["strain"] / 1e-3 - 1) < 1e-3, (len(rows), rows[-1])
+
+
+def check_excel(program, scene):
+    """Saved by a spreadsheet: a byte order mark, line ends of two characters, blanks."""
+    with open("path.csv", "wb") as file:
+        file.write("\ufefftime,F11,F12,F21,F22\r\n0,1,0,0,1\r\n1e-6, 1.001,0,0,\u00a01\r\n".encode())
+    result = call(program, "cell", scene, "--path", "path.csv", "--out", "cell.csv")
+    assert result.returncode == 0 and len(rows_of("cell.csv")[1]) == 2, result
 
 
 def check_refusals(program, scene):
@@ -91,10 +112,13 @@ def check_refusals(program, scene):
         assert result.returncode == 2 and len(lines) == len(findings), (text, result)
         for line, finding in zip(lines, findings):
             assert f"bad.csv:{finding}" in line, (line, finding)
-    for arguments, finding in [(["--rates", "0,-1"], "--rates: found 0, allowed positive"), (["--rates", "ten"], ""),
+    for arguments, finding in [(["--rates", "0,-1"], "--rates: found '0', allowed positive"), (["--rates", "ten"], ""),
                                (["--rates", "5", "--fabric", "kevlar128"], "did you mean 'kevlar129'?")]:
         result = call(program, "yarn", scene, "--out", "never.csv", *arguments)
         assert result.returncode == 2 and finding in result.stderr, (arguments, result)
+    # They took 2^31 steps and more, which came out as a curve of one row.
+    result = call(program, "yarn", scene, "--rates", "5", "--out", "never.csv", "--set", "fabrics.kevlar129.failure.hooke_strain=5e-7")
+    assert result.returncode == 2 and "found failure strains (static_strain, hooke_strain) of 0.033 and 5e-07, which take" in result.stderr, result
     result = call(program, "yarn", scene, "--rates", "5", "--out", "no/such/folder.csv")
     assert result.returncode == 3, result
     assert sorted(os.listdir()) == ["bad.csv", "cell.csv", "path.csv", "yarn.csv"], os.listdir()
@@ -105,7 +129,9 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         check_yarn(program, scene)
+        check_far_apart(program, scene)
         check_cell(program, scene)
+        check_excel(program, scene)
         check_refusals(program, scene)
 
 

@@ -16,7 +16,8 @@ namespace {
 const char* const header =
     "time,projectile_x,projectile_y,projectile_z,projectile_vx,projectile_vy,projectile_vz,contact_fx,contact_fy,contact_fz,kinetic_fabric,"
     "kinetic_projectile,internal,hourglass,contact,friction,damping,external,eroded,energy_error,broken_yarns,eroded_elements,"
-    "max_displacement,time_step,back_face_deflection";
+    "max_displacement,time_step,back_face_deflection,penetration,penetration_x,penetration_y,penetration_ply,debris_elements,debris_mass,"
+    "debris_displacement";
 
 // Every column has a value of its own, so an exchange of two shows.
 HistoryRow numbered_row() {
@@ -38,10 +39,17 @@ HistoryRow numbered_row() {
             .eroded_elements = 22,
             .max_displacement = 23,
             .time_step = 24,
-            .back_face_deflection = 25};
+            .back_face_deflection = 25,
+            .penetration = 26,
+            .penetration_at = {27, 28},
+            .penetration_ply = 29,
+            .debris_elements = 30,
+            .debris_mass = 31,
+            .debris_displacement = 32};
 }
 
-const char* const numbered_line = "0.10000000000000001,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,9007199254740993,22,23,24,25";
+const char* const numbered_line =
+    "0.10000000000000001,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,9007199254740993,22,23,24,25,26,27,28,29,30,31,32";
 
 TEST(History, HoldsTheColumnsInTheirOrderAtFullPrecision) {
     const parallel::Communicator comm(MPI_COMM_WORLD);

@@ -25,6 +25,14 @@ Summary sample() {
             .wall_seconds = {{.name = "elements", .min = 1, .mean = 2, .max = 3}},
             .element_steps = 15,
             .nanoseconds_per_element_step = 250.5,
+            .outcome = ShotOutcome{.verdict = "stopped",
+                                   .decided_at = 9.5e-5,
+                                   .plies_perforated = 1,
+                                   .peak_back_face_deflection = 0.0139,
+                                   .deepest_penetration = 2e-4,
+                                   .deepest_at = {1e-3, 2e-3, 3e-3},
+                                   .deepest_ply = 1,
+                                   .deepest_time = 6e-5},
             .residual_velocity = -12.25,
             .max_displacement = 0.0141,
             .back_face_deflection = 0.0139,
@@ -44,7 +52,9 @@ TEST(Summary, HoldsEveryKey) {
         "status": "stopped", "reason": "energy \"error\"", "versions": {"weavefront": "1.2.3"}, "scene_hash": "0123456789abcdef",
         "title": "Tïtle", "ranks": 2, "elements": 3, "nodes": 4, "steps": 5, "time": 0.1,
         "wall_seconds": {"elements": {"min": 1.0, "mean": 2.0, "max": 3.0}}, "element_steps": 15,
-        "nanoseconds_per_element_step": 250.5, "residual_velocity": -12.25, "max_displacement": 0.0141,
+        "nanoseconds_per_element_step": 250.5, "outcome": {"verdict": "stopped", "decided_at": 9.5e-5, "plies_perforated": 1,
+        "peak_back_face_deflection": 0.0139, "deepest_penetration": 2e-4, "deepest_at": [1e-3, 2e-3, 3e-3], "deepest_ply": 1,
+        "deepest_time": 6e-5}, "residual_velocity": -12.25, "max_displacement": 0.0141,
         "back_face_deflection": 0.0139, "energy_error": 1e-4, "broken_yarns": 7, "eroded_elements": 8, "first_break": [2.5e-5, null], "left_out": ["friction"]})");
     EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json")), expected);
     EXPECT_FALSE(std::filesystem::exists(directory / "summary.json.new"));
@@ -55,9 +65,12 @@ TEST(Summary, SaysNullWithoutAProjectile) {
     const ScratchDirectory directory(comm);
     auto summary = sample();
     summary.residual_velocity.reset();
+    summary.outcome.reset();
     write_summary(directory / "summary.json", summary, comm);
     if (comm.rank() == 0) {
-        EXPECT_TRUE(nlohmann::json::parse(content(directory / "summary.json"))["residual_velocity"].is_null());
+        const auto json = nlohmann::json::parse(content(directory / "summary.json"));
+        EXPECT_TRUE(json["residual_velocity"].is_null());
+        EXPECT_TRUE(json["outcome"].is_null());
     }
 }
 

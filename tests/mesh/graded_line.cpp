@@ -23,7 +23,8 @@ TEST(GradedLine, KeepsItsEndsAndItsFinePointAndNoElementIsLargerThanAskedFor) {
     std::uniform_real_distribution<double> one(0, 1);
     for (int n = 0; n < 1000; ++n) {
         const double low = -0.1 * one(random), high = 0.1 * one(random);
-        const double fine = n % 10 == 0 ? low : n % 10 == 1 ? high : low + (high - low) * one(random);
+        const double inside = low + 0.5e-3 + (high - low - 1e-3) * one(random);  // half an element from the ends: none gives way
+        const double fine = n % 10 == 0 || high - low < 1e-3 ? low : n % 10 == 1 ? high : inside;
         const scene::PanelMesh mesh{.center = 1e-3, .edge = 1e-3 * (1 + 3 * one(random)), .growth = 1 + 0.2 * one(random)};
         const auto line = graded_line(low, high, fine, mesh);
         ASSERT_EQ(line.front(), low);
@@ -40,6 +41,33 @@ TEST(GradedLine, KeepsItsEndsAndItsFinePointAndNoElementIsLargerThanAskedFor) {
             ASSERT_NEAR(size / asked, first / mesh.center, 1e-11) << n;
         }
     }
+}
+
+// A sliver would set the time step of the whole run.
+TEST(GradedLine, NoElementIsThinnerThanAQuarterOfItsNeighbour) {
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> one(0, 1);
+    for (int n = 0; n < 20000; ++n) {
+        const double low = -0.1 * one(random), high = low + 0.1 * one(random) + 2e-3, length = high - low;
+        const double from_end = std::pow(10, -8 * one(random)) * length / 2;  // as often within a nanometre as within a millimetre
+        const double fine = n % 2 == 0 ? low + from_end : high - from_end;
+        const scene::PanelMesh mesh{
+            .center = 1e-3, .edge = 1e-3 * (1 + 9 * one(random)), .growth = n % 3 == 0 ? 1 + 30 * one(random) : 1.08};
+        const auto line = graded_line(low, high, fine, mesh);
+        ASSERT_EQ(line.front(), low);
+        ASSERT_EQ(line.back(), high);
+        for (std::size_t i = 2; i < line.size(); ++i) {
+            const double before = line[i - 1] - line[i - 2], size = line[i] - line[i - 1];
+            ASSERT_GE(std::min(before, size), 0.25 * (1 - 1e-5) * std::max(before, size)) << n;  // a remainder of a millionth is no element
+        }
+    }
+}
+
+TEST(GradedLine, AFinePointAtAnEndButForRoundingIsThatEnd) {
+    const scene::PanelMesh mesh{.center = 0.5e-3, .edge = 4e-3, .growth = 1.08};
+    const double half = 2.362 * 0.0254 / 2;
+    EXPECT_EQ(graded_line(-half, half, 1.1809 * 0.0254, mesh), graded_line(-half, half, half, mesh));
+    EXPECT_EQ(graded_line(-half, half, -1.1809 * 0.0254, mesh), graded_line(-half, half, -half, mesh));
 }
 
 TEST(GradedLine, IsNotFinerThanNeeded) {

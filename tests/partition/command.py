@@ -107,14 +107,15 @@ class Partition(unittest.TestCase):
             self.assertIn("the time step vanished", self.refusal(*options, *stiff, processes=2, status=1), options)
 
     def test_refusals(self):
-        for ranks in ("0", "-3", "2.5", "many", "100001"):
+        for ranks in ("0", "-3", "2.5", "many", "100001", "0x10"):
             self.assertIn(f"--ranks: found '{ranks}', allowed a whole number from 1 to 100000", self.refusal(f"--ranks={ranks}"))
+        self.assertIn("--ranks: found '', allowed a whole number", self.refusal("--ranks", "1,,2"))
         self.assertIn("--ranks: found 401, allowed at most 400, the columns", self.refusal("--ranks", "2,401"))
         self.assertIn("one of --ranks LIST and --calibrate FILE", self.refusal())
         self.assertIn("one of --ranks LIST and --calibrate FILE", self.refusal("--ranks", "2", "--calibrate", "m.json"))
         self.assertIn("--repetitions: found 0", self.refusal("--ranks", "2", "--repetitions", "0"))
         self.assertIn("option '--rank': unknown", self.refusal("--rank", "2"))
-        self.assertIn("none.json: cannot be read", self.refusal("--ranks", "2", "--machine", "none.json", status=3))
+        self.assertIn("none.json: cannot be read", self.refusal("--ranks", "2", "--machine", "none.json"))
         self.assertIn("--calibrate: found 1 rank, allowed are 2 or more", self.refusal("--calibrate", "m.json"))
         self.assertIn("--calibrate: allowed is a scene with a projectile and contact between plies",
                       self.refusal("--calibrate", "m.json", "--set", "target.plies.count=1", processes=2))
@@ -122,16 +123,41 @@ class Partition(unittest.TestCase):
         self.assertFalse((self.folder / "m.json").exists())
 
     def test_refused_machines(self):
-        for changes, message in (({"elment_ns": 1}, "machine.json: elment_ns: found an unknown key"),
-                                 ({"element_ns": "fast"}, "machine.json: element_ns: found \"fast\", allowed a number of at least 0"),
-                                 ({"crowding": 0.5}, "machine.json: crowding: found 0.5, allowed a number of at least 1"),
-                                 ({"ranks": 0}, "machine.json: ranks: found 0, allowed a whole number from 1 to 1000000")):
+        for changes, message in (({"elment_ns": 1}, ":1:270: elment_ns: found an unknown key"),
+                                 ({"element_ns": "fast"}, ":1:66: element_ns: found \"fast\", allowed a number of at least 0 and at most 1000000000"),
+                                 ({"element_ns": [1, {"element_ns": 2}]}, ":1:66: element_ns: found [], allowed a number"),
+                                 ({"crowding": 0.5}, ":1:51: crowding: found 0.5, allowed a number of at least 1"),
+                                 ({"ranks": 0}, ":1:24: ranks: found 0, allowed a whole number from 1 to 1000000"),
+                                 ({"element_ns": 1e308}, ":1:66: element_ns: found 1e+308, allowed a number of at least 0 and at most 1000000000"),
+                                 ({"element_ns": float("nan")}, ":1:80: not JSON: syntax error"),
+                                 ({"element_ns": float("inf")}, ":1:80: not JSON: syntax error")):
             self.machine(**changes)
-            self.assertIn(message, self.refusal("--ranks", "2", "--machine", "machine.json"))
-        (self.folder / "machine.json").write_text("{}")
-        self.assertIn("machine.json: machine: found nothing", self.refusal("--ranks", "2", "--machine", "machine.json"))
-        (self.folder / "machine.json").write_text("machine: x")
-        self.assertIn("machine.json: not JSON", self.refusal("--ranks", "2", "--machine", "machine.json"))
+            self.assertIn("machine.json" + message, self.refusal("--ranks", "2", "--machine", "machine.json"))
+        text = json.dumps(MACHINE, indent=1)
+        for wrong, messages in ((text.replace('"node_ns": 20', '"node_ns": 20,\n "node_ns": 21'),
+                                 [":8:2: node_ns: found the key again, first at machine.json:7:2, allowed once"]),
+                                (text.replace('"node_ns": 20,', '"node_ns": 20'), [":8:11: not JSON: syntax error while parsing object"]),
+                                (text.replace('"node_ns": 20', '"node_ns": -1').replace('"relief": 0', '"releif": 0'),
+                                 [":1:1: relief: found nothing", ":7:2: node_ns: found -1", ":11:2: releif: found an unknown key"]),
+                                ("machine: x", [":1:1: not JSON: syntax error while parsing value"]), ("[1]", [":1:1: found no object"]),
+                                ("{}", [f":1:1: {key}: found nothing, allowed are all of machine, ranks, " for key in MACHINE])):
+            (self.folder / "machine.json").write_text(wrong)
+            lines = self.call("--ranks", "2", "--machine", "machine.json", status=2).stderr.splitlines()
+            self.assertEqual(len(lines), len(messages), lines)
+            for line, message in zip(sorted(lines), sorted(messages)):
+                self.assertIn("machine.json" + message, line)
+
+    def test_metis_prints_nothing_into_the_table(self):
+        # Seven columns a rank, some far dearer than others: METIS complains of graphs without vertices while
+        # it bisects them.
+        fabric = "{areal_density: 204 g/m^2, density: 1440 kg/m^3, yarn: {span: 0.909 mm, area: 6.48e-2 mm^2, width: 0.32 mm}, thickness: 0.82 mm, " \
+                 "elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa, viscosity: 35 MPa s}}"
+        changes = (f"fabrics.a={fabric}", "target.size=[100 mm, 100 mm]", "target.plies.spacing=0.25 mm", "target.mesh={center: 1 mm, edge: 3 mm}",
+                   "target.symmetry=[x, y]", "projectile.velocity.2=200 m/s", "time.end=60 us")
+        ranks = [78, 80, 90]
+        done = self.call("--ranks", ",".join(map(str, ranks)), *(word for change in changes for word in ("--set", change)))
+        self.assertEqual(len(done.stdout.splitlines()), 2 + 2 + len(ranks), done.stdout)
+        self.assertEqual(done.stderr, "")
 
 
 if __name__ == "__main__":

@@ -23,14 +23,14 @@ INSTANTIATE_TEST_SUITE_P(
     Shot, CrossCheck,
     testing::Values(
         Case{{"projectile.position=[0, 0, 0.01 mm]"},
-             "projectile.position: found a list, allowed a nose at z of at most -7.08333e-05 m: outside the"},
+             "projectile.position.2: found '0.01 mm', allowed at most -0.0708334 mm: the nose starts in front of the first ply"},
         Case{{"target.symmetry=[]", "projectile.position=[102 mm, 0, -1 mm]"},
-             "projectile.position: found a list, allowed x within 0.1016 m"},
+             "projectile.position.0: found '102 mm', allowed from -101.6 mm to 101.6 mm: over the target"},
         Case{{"target.symmetry=[x]", "projectile.position=[0, -102 mm, -1 mm]"},
-             "projectile.position: found a list, allowed y within 0.1016 m"},
-        Case{{"projectile.position=[1 mm, 0, -1 mm]"}, "projectile.position: found a list, allowed x = 0 with symmetry x"},
-        Case{{"projectile.velocity=[0, 1 m/s, 400 m/s]"}, "projectile.velocity: found a list, allowed no y component with symmetry y"},
-        Case{{"projectile.velocity=[0, 0, -400 m/s]"}, "projectile.velocity: found a list, allowed a z component greater than 0"},
+             "projectile.position.1: found '-102 mm', allowed from -101.6 mm to 101.6 mm: over the target"},
+        Case{{"projectile.position=[1 mm, 0, -1 mm]"}, "projectile.position.0: found '1 mm', allowed 0 with symmetry x"},
+        Case{{"projectile.velocity=[0, 1 m/s, 400 m/s]"}, "projectile.velocity.1: found '1 m/s', allowed 0 with symmetry y"},
+        Case{{"projectile.velocity=[0, 0, -400 m/s]"}, "projectile.velocity.2: found '-400 m/s', allowed more than 0: towards the target"},
         Case{{"projectile.velocity=[0, 400 m/s]"}, "projectile.velocity: found a list of 2, allowed a list of 3, each a velocity"},
         Case{{"projectile.velocity=400 m/s"}, "projectile.velocity: found '400 m/s', allowed a list of 3, each a velocity"},
         Case{{"projectile.velocity=[0, 0, 400]"}, "projectile.velocity.2: found '400', a number without a unit, allowed a velocity"},
@@ -49,9 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{{"target.size=203.2 mm"}, "target.size: found '203.2 mm', allowed a list of 2, each a length greater than 0"},
         Case{{"target.mesh.center=4 mm"}, "target.mesh.center: found '4 mm', allowed at most the element size at the edge"},
         Case{{"target.mesh.edge=", "target.mesh.center=110 mm"},
-             "target.mesh.center: found '110 mm', allowed at most 0.1016 m, half of the target"},
+             "target.mesh.center: found '110 mm', allowed at most 101.6 mm, half of the target"},
         Case{{"target.mesh.center=0"}, "target.mesh.center: found '0', allowed a length greater than 0"},
-        Case{{"target.mesh.growth=0.9"}, "target.mesh.growth: found '0.9', allowed a number of at least 1"},
+        Case{{"target.mesh.growth=0.9"}, "target.mesh.growth: found '0.9', allowed a number of at least 1, such as '1.5 or 150 %'"},
         Case{{"target.mesh={center: 1 um}"},
              "target.mesh: found a map of keys, allowed sizes that give at most 2147483647 nodes a ply, not 1.03e+10"},
         Case{{"target.symmetry=[x, z]"}, "target.symmetry.1: found 'z', allowed x, y"},
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{{"target.plies.fabric=kevlar128"},
              "target.plies.fabric: found 'kevlar128', allowed the name of a fabric of the scene, did you mean 'kevlar129'?"},
         Case{{"target.plies.spacing=0.1 mm"},
-             "target.plies.spacing: found '0.1 mm', allowed at least 0.000141667 m, the mean contact thickness"},
+             "target.plies.spacing: found '0.1 mm', allowed at least 0.141667 mm, the mean contact thickness"},
         Case{{"target.plies.gap=0.1 mm"}, "target.plies.gap: found '0.1 mm', allowed either spacing or gap"},
         Case{{"target.plies.angle=45 deg"},
              "target.plies.angle: found '45 deg', allowed a multiple of 90 deg where the target has a symmetry"},
@@ -88,7 +88,7 @@ TEST(CrossChecks, AFrameHasBarsWhereEdgesRestOnIt) {
                                : "";
     };
     EXPECT_EQ(one({rests}), "target.frame: found nothing, allowed a map with keys edge_radius, opening");
-    EXPECT_NE(one({rests, "target.frame={opening: {y: 300 mm}}"}).find("allowed less than the target's 0.2032 m"), std::string::npos);
+    EXPECT_NE(one({rests, "target.frame={opening: {y: 300 mm}}"}).find("allowed less than the target's 203.2 mm"), std::string::npos);
     EXPECT_NE(one({rests, "target.frame={opening: {x: 3 mm, y: 180 mm}}"}).find("allowed only where edges.x is frame"), std::string::npos);
     EXPECT_NE(one({"target.frame={opening: {y: 180 mm}}"}).find("allowed a frame where an edge rests on it"), std::string::npos);
     EXPECT_NE(one({"contact.frame={}"}).find("allowed only with an edge that rests on the frame"), std::string::npos);

@@ -40,7 +40,7 @@ TEST(Override, ThatLeadsNowhereIsNamed) {
         {"projectile.velocity.3=1 m/s", "projectile.velocity.3: found '3', allowed an item from 0 to 2"},
         {"time.end.x=1", "time.end.x: found 'x' below '200 us', allowed keys of a map only"},
         {"time.end=5 kg", "time.end: found '5 kg', a mass, allowed a time greater than 0, such as '200 us'"},
-        {"time.end=[5", "time.end: found a value that is not YAML, allowed a value as a scene file would hold it"},
+        {"time.end=[5", "time.end: not YAML: a '[' is not closed by ']', or a ',' is missing"},
         {"tim.end=5 s",
          "tim: found an unknown key, allowed title, fabrics, target, projectile, contact, damping, time, limits, output, did you "
          "mean 'time'?"},

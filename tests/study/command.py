@@ -137,7 +137,7 @@ class Study(unittest.TestCase):
         (self.folder / "measured.csv").write_text("time,projectile_vz,residual_velocity\n0,100,90\n10e-6,100,\n")
         text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
         self.run_study(text)
-        self.assertIn("absent.csv: cannot be read", self.run_study(text.replace("measured.csv", "absent.csv"), "none", status=3))
+        self.assertIn("absent.csv: cannot be read", self.run_study(text.replace("measured.csv", "absent.csv"), "none", status=2))
         self.assertFalse((self.folder / "none").exists())
         for row in self.rows():
             self.assertAlmostEqual(float(row["residual_velocity_error"]), abs(float(row["residual_velocity"]) - 90) / 90, places=8)
@@ -145,16 +145,56 @@ class Study(unittest.TestCase):
 
     def test_refuses_measured_values_that_are_compared_with_nothing(self):
         text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
-        for table, message in (("time,projectile_vz,residual_velocty\n0,100,90\n", "found column 'residual_velocty'"),
-                               ("residual_velocty\n90\n", "nearest is 'residual_velocity'"),
+        for table, message in (("time,projectile_vz,residual_velocty\n0,100,90\n", "measured.csv:1:20: found column 'residual_velocty'"),
+                               ("residual_velocty\n90\n", "did you mean 'residual_velocity'?"),
                                ("time,projectile_vz\n0,100\n0,90\n", "that ascends"), ("projectile_vz\n100\n", "that ascends"),
-                               ("time,projectile_vz\n0,abc\n", "measured.csv:2: found 'abc'")):
+                               ("time,projectile_vz\n0,abc\n", "measured.csv:2:3: projectile_vz: found 'abc', allowed a finite number"),
+                               ("time,projectile_vz\n0,100\n1e-6,nan\n", "measured.csv:3:6: projectile_vz: found 'nan', allowed a finite number"),
+                               ("time,projectile_vz\n0,100\ninf,90\n", "measured.csv:3:1: time: found 'inf', allowed a finite number"),
+                               ("time,projectile_vz\n0,100\n1e-6", "measured.csv:3:1: found 1 cells, allowed 2"),
+                               ("time,projectile_vz\n0,100\n", "measured.csv:1:6: projectile_vz: found 1 value, allowed are two or more"),
+                               ("time,projectile_vz\n20e-6,100\n30e-6,90\n",
+                                "measured.csv:1:6: projectile_vz: found values at 2e-05 to 3e-05 s, allowed are times that center=4mm,velocity.2=100m_s "
+                                "shares, 0 to 1e-05 s"),
+                               ("residual_velocity,time,projectile_vz\n,0,100\n,10e-6,90\n",
+                                "measured.csv:1:1: residual_velocity: found nothing in the first row")):
             (self.folder / "measured.csv").write_text(table)
             self.assertIn(message, self.run_study(text, "none", ranks=2, status=2))
             self.assertFalse((self.folder / "none").exists())
         (self.folder / "measured.csv").write_text("\ufefftime,projectile_vz\n0,100\n10e-6,100\n", encoding="utf-8")
         self.run_study(text)
         self.assertTrue(all(row["projectile_vz_l2_error"] for row in self.rows()))
+
+    def test_says_which_ranges_and_units_it_compares(self):
+        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
+        (self.folder / "measured.csv").write_text("time,projectile_vz,residual_velocity\n-1e-6,100,95\n5e-6,99,\n8e-6,98,\n")
+        said = self.run_study(text)
+        self.assertIn("  measured      projectile_vz: 3 values of 98 to 100 m/s at -1e-06 to 8e-06 s; 2 of them at the times of "
+                      "center=4mm,velocity.2=100m_s, 0 to 1e-05 s\n", said)
+        self.assertIn("  measured      residual_velocity: 95 m/s\n", said)
+        self.assertRegex(said, r"  compared      projectile_vz: measured 98 to 100 m/s, computed \d\d\.\d+ to 100 m/s\n")
+        self.assertNotIn("warning: measured", said)
+        self.assertNotIn("another unit", said)
+
+    def test_warns_of_measured_values_in_other_units(self):
+        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
+        (self.folder / "measured.csv").write_text("time,projectile_vz\n0,0.1\n0.005,0.099\n0.01,0.098\n")  # km/s, and ms instead of s
+        said = self.run_study(text)
+        self.assertIn("warning: projectile_vz was measured over 1e+03 times the time of the run: another unit than s?", said)
+        self.assertIn("warning: measured values of projectile_vz are 0.001 times the computed ones: another unit than m/s?", said)
+
+    def test_a_reference_may_be_a_named_variant(self):
+        text = STUDY.replace("{target.mesh.center: 1.5 mm}", "{target.mesh.center: 2 mm, speed: slow}").replace(
+            "{projectile.velocity.2: [100 m/s, 50 m/s]}", "speed: {fast: {projectile.velocity.2: 100 m/s}, slow: {projectile.velocity.2: 50 m/s}}")
+        self.run_study(text)
+        study = json.loads((self.folder / "out/study.json").read_text())
+        self.assertEqual({row["compared_with"] for row in study["variants"]}, {"center=2mm,speed=slow"})
+        self.assertEqual(len(study["variants"]), 6)  # the reference is one of them
+        self.assertIn("reference.variant.speed: found 'slwo', allowed one of fast, slow, did you mean 'slow'?",
+                      self.run_study(text.replace("speed: slow}", "speed: slwo}"), "none", status=2))
+        # A path that the scene lacks is told with the scene's keys.
+        self.assertIn("study.yaml:7:43: target.mesh.centre: found an unknown key, allowed center, edge, growth",
+                      self.run_study(text.replace("{target.mesh.center: 2 mm", "{target.mesh.centre: 2 mm"), "none", status=2))
 
     def test_check_finds_what_is_off_by_more_than_its_tolerance(self):
         self.run_study()
@@ -169,7 +209,7 @@ class Study(unittest.TestCase):
 
     def test_check_refuses_a_table_that_cannot_be_compared_before_anything_is_computed(self):
         table = self.folder / "before.csv"
-        self.assertIn("before.csv: cannot be read", self.run_study(arguments=("--check", table), ranks=2, status=3))
+        self.assertIn("before.csv: cannot be read", self.run_study(arguments=("--check", table), ranks=2, status=2))
         table.write_text("variant,outcome,residual_velocity\ncenter=4mm,finished,fast\n")
         text = self.run_study(arguments=("--check", table), ranks=2, status=2)
         self.assertIn("before.csv:2: residual_velocity: found 'fast', allowed a number", text)

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "weavefront/scene/read.hpp"
+
 namespace weavefront::study {
 namespace {
 
@@ -66,8 +68,49 @@ TEST_F(ColumnsFile, NameTheLineOfWhatIsNoNumber) {
         read("time,a\n0,1\n1,x\n");
         FAIL();
     } catch (const std::runtime_error& error) {
-        EXPECT_NE(std::string(error.what()).find("columns.csv:3: found 'x'"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("columns.csv:3:3: a: found 'x', allowed a finite number"), std::string::npos)
+            << error.what();
     }
+}
+
+/// What is wrong with a table that a user has written.
+std::vector<std::string> findings(const std::string& text) {
+    try {
+        parse_columns(text, "t.csv");
+    } catch (const scene::InputError& error) {
+        return error.shown();
+    }
+    return {};
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(MeasuredTable, EveryValueThatIsNoFiniteNumberHasItsPlace) {
+    const std::string allowed = ", allowed a finite number or an empty cell";
+    EXPECT_EQ(
+        findings("time,a\n0,nan\n1,2\n-inf, inf\n1e999,0x10\n"),
+        (Texts{"t.csv:2:3: a: found 'nan'" + allowed, "t.csv:4:1: time: found '-inf'" + allowed, "t.csv:4:7: a: found 'inf'" + allowed,
+               "t.csv:5:1: time: found '1e999'" + allowed, "t.csv:5:7: a: found '0x10'" + allowed}));
+}
+
+TEST(MeasuredTable, ARowCutShortIsAFaultAlsoAtTheEnd) {
+    EXPECT_EQ(findings("time,a\n0\n1,2\n3"), (Texts{"t.csv:2:1: found 1 cells, allowed 2, one a column of the header",
+                                                    "t.csv:4:1: found 1 cells, allowed 2, one a column of the header"}));
+    EXPECT_EQ(findings("time,a,time\n0,1,2\n"), (Texts{"t.csv:1:8: found the column 'time' again, allowed once"}));
+    EXPECT_EQ(findings(""), (Texts{"t.csv:1:1: found nothing, allowed a header and rows of numbers"}));
+}
+
+TEST(MeasuredTable, BlanksOfAnyKindAroundNumbersAreNone) {
+    const Columns columns = parse_columns("time, a\n# a remark\n\n 0 ,\u00a0+1.5\u2009\n", "t.csv");
+    EXPECT_EQ(columns.at("a"), std::vector<double>{1.5});
+}
+
+TEST(MeasuredTable, TensOfThousandsOfFaultsAreCountedNotShown) {
+    std::string text = "time,a\n";
+    for (int i = 0; i < 20000; ++i) text += "x,1\n";
+    const auto shown = findings(text);
+    ASSERT_EQ(shown.size(), 21U);
+    EXPECT_EQ(shown.back(), "and 19980 more");
 }
 
 }  // namespace

@@ -157,8 +157,91 @@ TEST(StudyFile, FaultsOfVariantsAreReportedBeforeAnythingIsComputedAtTheirPlaces
 }
 
 TEST(StudyFile, ReferencesAreOfOneKind) {
-    expect_findings(study_with("reference: {variant: {target.mesh.center: 0.5 mm}}", "reference: {closed_form: form, file: x.csv}"),
-                    {"folder/s.yaml:10:1: reference: found a map of keys, allowed one of the keys variant, closed_form, file"});
+    expect_findings(
+        study_with("reference: {variant: {target.mesh.center: 0.5 mm}}", "reference: {closed_form: form, file: x.csv}"),
+        {"folder/s.yaml:10:1: reference: found the keys closed_form, file, allowed one of the keys variant, closed_form, file"});
+}
+
+Variant reference(const std::string& given) {
+    const Study study = parse(study_with("{variant: {target.mesh.center: 0.5 mm}}", given));
+    return reference_of(study, variants_of(study)[1]);  // 2 mm, fast
+}
+
+TEST(References, MayBeAnAxisAndItsLabel) {
+    const Variant slow = reference("{variant: {speed: slow, target.mesh.center: 0.5 mm}}");
+    EXPECT_EQ(slow.name, "reference,center=0.5mm,speed=slow");
+    const Case input = parse_case(parse(study_text), scene_text, slow);
+    EXPECT_DOUBLE_EQ(input.scene.time.end, 40e-6);
+    EXPECT_DOUBLE_EQ(input.scene.damping, 3);
+    EXPECT_DOUBLE_EQ(input.scene.target->mesh.center, 0.5e-3);
+}
+
+TEST(References, MayBeANameOfAVariantOrALabelOfOneAxis) {
+    EXPECT_EQ(reference("{variant: slow}").name, "reference,center=2mm,speed=slow");
+    EXPECT_EQ(reference("{variant: 500 um}").name, "reference,center=500um,speed=fast");
+    EXPECT_EQ(reference("{variant: \"center=500um,speed=slow\"}").name, "reference,center=500um,speed=slow");
+}
+
+// The settings of the choice that a reference replaces do not stay: damping belongs to slow alone.
+TEST(References, ReplaceTheChoiceOfTheVariant) {
+    const Study study = parse(study_with("{variant: {target.mesh.center: 0.5 mm}}", "{variant: fast}"));
+    const Case input = parse_case(study, scene_text, reference_of(study, variants_of(study)[0]));  // of 2 mm, slow
+    EXPECT_DOUBLE_EQ(input.scene.damping, 0);
+    EXPECT_DOUBLE_EQ(input.scene.time.end, 20e-6);
+}
+
+TEST(References, AtFaultAreToldWithWhatTheStudyHas) {
+    const auto one = [](const std::string& given) {
+        const auto all = findings(study_with("{variant: {target.mesh.center: 0.5 mm}}", given));
+        return all.size() == 1 ? all[0] : testing::PrintToString(all);
+    };
+    EXPECT_EQ(
+        one("{variant: {sped: slow}}"),
+        "folder/s.yaml:10:23: reference.variant: found 'sped', allowed an axis (target.mesh.center, speed) or a path of the scene, such as "
+        "target.mesh.center, did you mean 'speed'?");
+    EXPECT_EQ(one("{variant: {speed: slwo}}"),
+              "folder/s.yaml:10:30: reference.variant.speed: found 'slwo', allowed one of slow, fast, did you mean 'slow'?");
+    EXPECT_EQ(one("{variant: slwo}"),
+              "folder/s.yaml:10:22: reference.variant: found 'slwo', allowed a label that one axis alone has (2 mm, 500 um, slow, fast), "
+              "the name "
+              "of a variant, such as 'center=2mm,speed=slow', or a map, such as {time.end: 80 us}, did you mean 'slow'?");
+    EXPECT_EQ(one("slow"), "folder/s.yaml:10:12: reference: found 'slow', allowed a map with keys variant, closed_form, file");
+    EXPECT_EQ(one("{varaint: slow}"),
+              "folder/s.yaml:10:13: reference.varaint: found an unknown key, allowed variant, closed_form, file, did you mean 'variant'?");
+}
+
+TEST(StudyFile, ListsInQuotesAreToldSo) {
+    const std::string hint = " in quotes, which make it a text (did you mean it without them?), allowed ";
+    expect_findings(study_with("[outcome, {history: column, norm: max}]\ntolerance: {column_max: 2 %}", "\"[outcome]\""),
+                    {"folder/s.yaml:11:13: quantities: found '[outcome]'" + hint + "a list"});
+    expect_findings(study_with("[2 mm, 500 um]", "'[2 mm, 500 um]'"),
+                    {"folder/s.yaml:5:26: variants.0.target.mesh.center: found '[2 mm, 500 um]'" + hint + "a list of values"});
+}
+
+TEST(StudyFile, MergeKeysServeItsSettings) {
+    const Study study = parse(study_with("slow: {time.end: 40 us, damping: 3 1/s}", "slow: &slow {time.end: 40 us, damping: 3 1/s}"));
+    const Study merged = parse(study_with("slow: {time.end: 40 us, damping: 3 1/s}\n      fast: {fabrics.a.elastic.viscosity: }",
+                                          "slow: &slow {time.end: 40 us, damping: 3 1/s}\n      fast: {<<: *slow, damping: 4 1/s}"));
+    const Case fast = parse_case(merged, scene_text, variants_of(merged)[1]);
+    EXPECT_DOUBLE_EQ(fast.scene.time.end, 40e-6);
+    EXPECT_DOUBLE_EQ(fast.scene.damping, 4);
+    EXPECT_EQ(variants_of(study).size(), 4U);
+}
+
+// 10^5 variants took a minute and 10^10 all memory before they were found to be too many.
+TEST(Bounds, VariantsAreCountedBeforeTheyAreMade) {
+    std::string axes;
+    for (int axis = 0; axis < 10; ++axis) axes += "  - {a" + std::to_string(axis) + ".b: [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]}\n";
+    const std::string all = study_text.substr(study_text.find("  - {target"), study_text.find("order:") - study_text.find("  - {target"));
+    EXPECT_EQ(findings(study_with(all, axes)),
+              std::vector<std::string>{"folder/s.yaml:5:3: variants: found 10000000000 variants, allowed at most 10000"});
+}
+
+TEST(Bounds, NamesOfFoldersFitIntoFileSystems) {
+    const std::string label(300, 'x');
+    const std::vector<Variant> variants = variants_of(parse(study_with("slow: {", label + "1: {time.end: 1 us}\n      " + label + "2: {")));
+    EXPECT_LE(variants[0].name.size(), 200U);
+    EXPECT_NE(variants[0].name, variants[1].name);
 }
 
 }  // namespace

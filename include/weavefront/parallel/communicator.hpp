@@ -29,6 +29,9 @@ class Communicator {
   public:
     /// @note Collective
     explicit Communicator(MPI_Comm original);
+    /// This process by itself, also where MPI has not been started: sums, extremes and broadcasts are its own
+    /// values; `get` is no handle.
+    static Communicator alone() { return Communicator(); }
     ~Communicator();
     Communicator(Communicator&& other) noexcept;
     Communicator(const Communicator&) = delete;
@@ -57,6 +60,8 @@ class Communicator {
     void broadcast(std::vector<std::int32_t>& values) const;
 
   private:
+    Communicator() = default;
+
     MPI_Comm comm_ = MPI_COMM_NULL;
     int rank_ = 0;
     int size_ = 1;

@@ -82,7 +82,7 @@ class Exchange {
     /// The second half of `sum`: waits and adds.
     void finish(std::span<T> values) {
         for_each_link(true, [&](const Link& link) { add(link.in, mailboxes_->incoming(link.rank), values); });
-        check(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE));
+        if (!requests_.empty()) check(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE));
         const auto* message = incoming_.data();
         for_each_link(false, [&](const Link& link) {
             add(link.in, message, values);

@@ -15,11 +15,31 @@ namespace weavefront::scene {
 /// allowed[, did you mean ...]`.
 class InputError : public std::runtime_error {
   public:
-    explicit InputError(std::vector<std::string> messages);
+    /// @param more so many findings beside `messages` were counted, not kept
+    explicit InputError(std::vector<std::string> messages, std::size_t more = 0);
     [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
+    /// What a user is shown: the first twenty messages and how many more there are.
+    [[nodiscard]] std::vector<std::string> shown() const;
+    /// Findings that `messages` lacks.
+    [[nodiscard]] std::size_t more() const { return more_; }
 
   private:
     std::vector<std::string> messages_;
+    std::size_t more_;
+};
+
+/// Collects messages on a table, where every row may be at fault: the first thousand, and how many more there
+/// are.
+class MessageList {
+  public:
+    void add(std::string message);
+    [[nodiscard]] bool empty() const { return messages_.empty(); }
+    /// @throws InputError unless nothing was added
+    void raise() const;
+
+  private:
+    std::vector<std::string> messages_;
+    std::size_t more_ = 0;
 };
 
 /// What a command needs of a scene.
@@ -29,12 +49,9 @@ enum class Need { fabrics, impact };
 /// @param path      YAML file
 /// @param overrides `PATH=VALUE` with dots between keys, as given to `--set`
 /// @param need      `impact` demands target, time and output as well; `fabrics` only the fabrics
-/// @throws InputError with every finding at once; std::runtime_error when the file cannot be read
+/// @throws InputError with every finding at once, or when the file cannot be read
 /// @note Reads a file; in a parallel run one rank reads the text and all call `parse_scene`.
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {}, Need need = Need::impact);
-
-/// The text of a file. @throws std::runtime_error naming the file and the reason when it cannot be read
-std::string read_text(const std::filesystem::path& path);
 
 /// The same from text. @param name stands in the messages where the file name would.
 Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {},

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "weavefront/scene/message_units.hpp"
+
 namespace weavefront::scene {
 
 /// Which stress and friction the material returns: the work-conjugate one, or sections 1-7 of the paper literally.
@@ -58,12 +60,13 @@ struct Fabric {
     Yarn yarn;
     double thickness = 0;  ///< t, crimp height of the cell, m; 0: straight yarns
     Elastic elastic;
-    std::optional<Failure> failure;  ///< absent: nothing breaks
-    std::optional<Lateral> lateral;  ///< absent: an open trellis at every angle
-    double friction = 0;             ///< mu, yarn on yarn, 1; 0: none
-    double transverse_shear = 0;     ///< G23, Pa; 0: none
-    double hourglass = 0.05;         ///< in-plane hourglass stiffness over that of full integration, 1
-    double contact_thickness = 0;    ///< distance at which two such plies touch, m; default: effective thickness
+    std::optional<Failure> failure;        ///< absent: nothing breaks
+    std::optional<Lateral> lateral;        ///< absent: an open trellis at every angle
+    double friction = 0;                   ///< mu, yarn on yarn, 1; 0: none
+    double transverse_shear = 0;           ///< G23, Pa; 0: none
+    double hourglass = 0.05;               ///< in-plane hourglass stiffness over that of full integration, 1
+    double contact_thickness = 0;          ///< distance at which two such plies touch, m; default: effective thickness
+    std::string contact_thickness_source;  ///< where that comes from, in a few words
 
     /// t_e = areal density / fibre density, m.
     [[nodiscard]] double effective_thickness() const { return areal_density / density; }
@@ -158,6 +161,7 @@ struct Scene {
     Output output;
     std::string resolved;  ///< the scene as YAML with every default written out, SI
     std::string hash;      ///< 16 hex digits (FNV-1a 64) of `resolved`
+    MessageUnits units;    ///< of messages; no value depends on them
 };
 
 }  // namespace weavefront::scene

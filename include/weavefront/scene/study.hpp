@@ -54,7 +54,8 @@ struct Measure {
 struct Reference {
     enum class Kind { none, variant, closed_form, file };
     Kind kind = Kind::none;
-    std::vector<Setting> settings;  ///< of the variant; what they leave alone is as in the variant that is compared
+    std::vector<std::optional<std::size_t>> choices;  ///< of the variant, one an axis; none: as in the variant that is compared
+    std::vector<Setting> settings;                    ///< of the variant beside them
     std::string closed_form;
     std::filesystem::path file;  ///< CSV of measured values
 };
@@ -92,6 +93,7 @@ struct Variant {
     std::string name;                           ///< of its folder
     std::vector<std::string> labels;            ///< one an axis
     std::vector<std::optional<double>> values;  ///< one an axis
+    std::vector<std::size_t> choices;           ///< indices, one an axis
     std::vector<Setting> settings;              ///< `Study::set`, then those of the axes, then those of the reference
 };
 

@@ -14,10 +14,15 @@ namespace weavefront::study {
 /// The columns of a CSV file by their names.
 using Columns = std::map<std::string, std::vector<double>>;
 
-/// Reads a CSV file: a header, then rows of numbers; empty cells are NaN. A last line cut short is left out.
-/// @throws std::runtime_error naming the file and the line when it cannot be read or holds no such table
+/// Reads the history of a run: a header, then rows of numbers; empty cells are NaN. A last line cut short, as
+/// by a kill, is left out.
+/// @throws std::runtime_error naming the file and the place when it cannot be read or holds no such table
 Columns read_columns(const std::filesystem::path& path);
-/// The same from text. @param name of the file, for messages
+
+/// The same from the text of a table that a user has written, where a line cut short is a fault. Lines that
+/// begin with # are left out.
+/// @param name of the file, for messages
+/// @throws scene::InputError with every finding as `name:line:column: COLUMN: found ..., allowed ...`
 Columns parse_columns(const std::string& text, const std::string& name);
 
 /// A value over time, linear between its points.

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace weavefront::study {
@@ -14,10 +15,17 @@ struct TextTable {
     std::vector<std::vector<std::string>> rows;
 };
 
-/// Cells of a line; quotes keep commas, and are doubled inside quotes. @param line without its end
-std::vector<std::string> cells_of(const std::string& line);
+/// A cell without blanks around it.
+struct Cell {
+    std::string text;
+    std::size_t column;  ///< of its first character in the line, from 1
+};
 
-/// Reads a CSV file. @throws std::runtime_error when it cannot be read, is empty, or a row has other than the header's number of cells
+/// Cells of a line; quotes keep commas, and are doubled inside quotes. @param line without its end
+std::vector<Cell> cells_of(std::string_view line);
+
+/// Reads a CSV file.
+/// @throws scene::InputError when it cannot be read or is empty, or a row has another number of cells
 TextTable read_table(const std::filesystem::path& path);
 
 /// The same from its text. @param name of the file, for messages

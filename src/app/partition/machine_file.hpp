@@ -10,7 +10,8 @@ namespace weavefront::app {
 
 /// Reads what `machine_text` wrote.
 /// @param name stands in messages
-/// @throws scene::InputError when it is not JSON, a key is unknown or missing, or a value is not in its range
+/// @throws scene::InputError with every finding as `name:line:column`: not JSON, a key unknown, missing or
+/// given twice, a value out of range
 partition::Machine parse_machine(const std::string& text, const std::string& name);
 
 /// One key a line, with units in the names.

@@ -1,20 +1,14 @@
 #include "measure.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <functional>
-#include <stdexcept>
+#include <optional>
 
 #include "field_distance.hpp"
 #include "variant_results.hpp"
 #include "weavefront/fabric/constants.hpp"
 #include "weavefront/partition/contact_zone.hpp"
-#include "weavefront/scene/nearest.hpp"
-#include "weavefront/scene/read.hpp"
 #include "weavefront/study/closed_forms.hpp"
 
 namespace weavefront::app {
@@ -63,10 +57,10 @@ class ClosedForm {
 
 class Measurement {
   public:
-    Measurement(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder)
-        : study_(study), entries_(entries), folder_(folder) {
+    Measurement(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
+                const study::Columns& measured)
+        : study_(study), entries_(entries), folder_(folder), measured_(measured) {
         for (const StudyEntry& entry : entries) results_.emplace_back(entry.input, folder / entry.variant.name);
-        if (study.reference.kind == Reference::Kind::file) measured_ = study::read_columns(study.reference.file);
     }
 
     [[nodiscard]] std::vector<StudyRow> rows() const {
@@ -88,8 +82,17 @@ class Measurement {
         for (const Measure& measure : study_.quantities) {
             row.values.push_back(measure.kind == Measure::Kind::outcome ? results_[i].outcome(measure.of) : std::nullopt);
             row.errors.push_back(error(i, measure, row.values.back()));
+            row.history.push_back(range(i, measure));
         }
         return row;
+    }
+
+    [[nodiscard]] std::optional<ValueRange> range(std::size_t i, const Measure& measure) const {
+        if (measure.kind != Measure::Kind::history) return std::nullopt;
+        const study::Curve curve = results_[i].history(measure.of);
+        if (curve.value.empty()) return std::nullopt;
+        const auto [least, most] = std::ranges::minmax(curve.value);
+        return ValueRange{least, most};
     }
 
     [[nodiscard]] std::optional<double> error(std::size_t i, const Measure& measure, std::optional<double> value) const {
@@ -145,38 +148,14 @@ class Measurement {
     std::span<const StudyEntry> entries_;
     std::filesystem::path folder_;
     std::deque<VariantResults> results_;
-    study::Columns measured_;
+    const study::Columns& measured_;
 };
 
 }  // namespace
 
-void require_measured(const scene::Study& study, const std::string& text) {
-    const std::string name = study.reference.file.string();
-    study::Columns columns;
-    try {
-        columns = study::parse_columns(text, name);
-    } catch (const std::runtime_error& fault) {
-        throw scene::InputError({fault.what()});
-    }
-    std::vector<std::string> allowed{"time"}, faults;
-    bool over_time = false;
-    for (const Measure& measure : study.quantities) {
-        if (measure.kind == Measure::Kind::field) continue;
-        allowed.push_back(measure.of);
-        over_time = over_time || (measure.kind == Measure::Kind::history && columns.contains(measure.of));
-    }
-    for (const auto& [column, values] : columns)
-        if (std::ranges::find(allowed, column) == allowed.end())
-            faults.push_back(fmt::format("{}:1: found column '{}', allowed is what the study compares, over time: {}; nearest is '{}'",
-                                         name, column, fmt::join(allowed, ", "), scene::nearest(column, allowed)));
-    const auto time = columns.find("time");
-    if (over_time && (time == columns.end() || !std::ranges::is_sorted(time->second, std::less_equal<>())))
-        faults.push_back(fmt::format("{}:1: a history is compared with it, which takes a column 'time' that ascends, s", name));
-    if (!faults.empty()) throw scene::InputError(faults);
-}
-
-std::vector<StudyRow> measure_study(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder) {
-    return Measurement(study, entries, folder).rows();
+std::vector<StudyRow> measure_study(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
+                                    const study::Columns& measured) {
+    return Measurement(study, entries, folder, measured).rows();
 }
 
 }  // namespace weavefront::app

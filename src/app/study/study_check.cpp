@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "commands.hpp"
 #include "shared_text.hpp"
 #include "weavefront/scene/read.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::app {
 
@@ -44,16 +44,10 @@ const std::vector<std::string>* row_of(const study::TextTable& table, const std:
     return found == table.rows.end() ? nullptr : &*found;
 }
 
-std::optional<double> number(const std::string& cell) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
-}
-
 /// Whether two cells agree within the tolerance of their column.
 bool agree(const std::string& a, const std::string& b, const Compared& compared) {
     if (a == b) return true;
-    const auto x = number(a), y = number(b);
+    const auto x = scene::finite_number(a), y = scene::finite_number(b);
     if (!compared.tolerance || !x || !y) return false;
     if (compared.column.ends_with("_error") && std::abs(*x) < rounding && std::abs(*y) < rounding) return true;
     return std::abs(*x - *y) <= *compared.tolerance * std::max(std::abs(*x), std::abs(*y));
@@ -62,7 +56,7 @@ bool agree(const std::string& a, const std::string& b, const Compared& compared)
 void require_numbers(const study::TextTable& table, std::size_t column, const std::string& file, std::vector<std::string>& findings) {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const std::string& cell = table.rows[i][column];
-        if (!cell.empty() && !number(cell))
+        if (!cell.empty() && !scene::finite_number(cell))
             findings.push_back(fmt::format("{}:{}: {}: found '{}', allowed a number", file, i + 2, table.header[column], cell));
     }
 }
@@ -72,7 +66,7 @@ void require_numbers(const study::TextTable& table, std::size_t column, const st
 study::TextTable table_of_before(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& path,
                                  const parallel::Communicator& comm) {
     const std::string file = path.string();
-    study::TextTable table = study::parse_table(shared_text(path, comm), file);
+    study::TextTable table = study::parse_table(shared_text(path, comm, scene::most_of_table), file);
     if (table.header.front() != "variant")
         throw scene::InputError({fmt::format("{}: found the first column '{}', allowed the study.csv of a study, which begins with variant",
                                              file, table.header.front())});

@@ -54,17 +54,23 @@ LaneMask all_of(const QuadratureBatch& batch) {
 }  // namespace
 
 PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
-    : plies_(surface.plies.size()),
-      touching_(surface.plies),
+    : touching_(surface.plies),
       quadrature_(spacing, most_points_along_edge),
       approach_(surface, x),
       watches_(static_cast<std::size_t>(surface.owned)),
       due_(static_cast<std::size_t>(approach_.groups())),
       memory_(watches_.size()),
       reserves_(watches_.size()) {
-    for (const auto& ply : surface.plies)
-        for (const auto& other : surface.plies)
-            laws_.emplace_back(law, ply.areal_density * other.areal_density / (ply.areal_density + other.areal_density));
+    // A law for each pair of plies would take room with the square of their number.
+    std::vector<double> densities;
+    for (const auto& ply : surface.plies) {
+        const auto found = std::ranges::find(densities, ply.areal_density);
+        weights_.push_back(static_cast<std::size_t>(found - densities.begin()));
+        if (found == densities.end()) densities.push_back(ply.areal_density);
+    }
+    different_weights_ = densities.size();
+    for (const double one : densities)
+        for (const double other : densities) laws_.emplace_back(law, one * other / (one + other));
     rules_.reserve(watches_.size());
     for (std::size_t f = 0; f < watches_.size(); ++f)
         rules_.push_back(static_cast<std::uint8_t>(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x))));

@@ -13,12 +13,10 @@ constexpr double deepest_in_thicknesses = 4;
 
 double Touching::depth_of(double thickness) { return deepest_in_thicknesses * thickness; }
 
-Touching::Touching(const std::vector<PlyProperties>& plies) : plies_(plies.size()) {
+Touching::Touching(const std::vector<PlyProperties>& plies) : plies_(plies) {
     for (const auto& ply : plies) {
         most_ = std::max(most_, ply.thickness);
         depth_ = std::max(depth_, depth_of(ply.thickness));
-        // Plies that lie closer than their thickness at the start touch there without pressing.
-        for (const auto& other : plies) distances_.push_back(std::min((ply.thickness + other.thickness) / 2, other.z - ply.z));
     }
 }
 

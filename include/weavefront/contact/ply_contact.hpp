@@ -97,12 +97,13 @@ class PlyContact {
     void press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near, LaneMask& open,
                const Now& now, ContactForces& forces);
     [[nodiscard]] const PenaltyLaw& law(std::int32_t ply, std::int32_t other) const {
-        return laws_[static_cast<std::size_t>(ply) * plies_ + static_cast<std::size_t>(other)];
+        return laws_[weights_[static_cast<std::size_t>(ply)] * different_weights_ + weights_[static_cast<std::size_t>(other)]];
     }
 
-    std::size_t plies_;
     Touching touching_;
-    std::vector<PenaltyLaw> laws_;  ///< by the two plies
+    std::vector<std::size_t> weights_;  ///< by ply: index among the different areal densities
+    std::size_t different_weights_;
+    std::vector<PenaltyLaw> laws_;  ///< by the areal densities of the two plies
     Quadrature quadrature_;
     Candidates candidates_;
     Approach approach_;

@@ -2,6 +2,7 @@
 /// @file
 /// How near plies come before they press.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +17,9 @@ class Touching {
 
     /// Of two plies, the nearer to the shot first, m.
     [[nodiscard]] double between(std::int32_t ply, std::int32_t other) const {
-        return distances_[static_cast<std::size_t>(ply) * plies_ + static_cast<std::size_t>(other)];
+        const auto &front = plies_[static_cast<std::size_t>(ply)], &back = plies_[static_cast<std::size_t>(other)];
+        // Plies that lie closer than their thickness at the start touch there without pressing.
+        return std::min((front.thickness + back.thickness) / 2, back.z - front.z);
     }
     /// Not less than that of any two plies, m.
     [[nodiscard]] double most() const { return most_; }
@@ -26,8 +29,7 @@ class Touching {
     [[nodiscard]] static double depth_of(double thickness);
 
   private:
-    std::size_t plies_;
-    std::vector<double> distances_;
+    std::vector<PlyProperties> plies_;
     double most_ = 0, depth_ = 0;
 };
 

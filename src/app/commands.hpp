@@ -13,6 +13,12 @@ class GuardStop : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A run stopped by a signal, exit status 4.
+class Interrupted : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 void add_run(CLI::App& app);
 void add_check(CLI::App& app);
 void add_cell(CLI::App& app);

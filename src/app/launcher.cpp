@@ -27,6 +27,14 @@ int whole_number(std::string_view text) {
     return error == std::errc() && end == text.data() + text.size() ? value : 0;
 }
 
+/// What a variable says of the number of processes; 0: nothing.
+int size_in(const char* variable) {
+    const char* text = std::getenv(variable);
+    if (text == nullptr) return 0;
+    if (std::string_view(variable) == "SLURM_NTASKS" && std::getenv("SLURM_STEP_NUM_TASKS") == nullptr) return 0;
+    return whole_number(text);
+}
+
 }  // namespace
 
 bool is_first_process() {
@@ -35,19 +43,24 @@ bool is_first_process() {
     return true;
 }
 
+int launched_processes() {
+    for (const char* variable : size_variables)
+        if (const int size = size_in(variable); size > 0) return size;
+    return 1;
+}
+
 void require_one_job(int ranks) {
     if (ranks > 1) return;
     for (const char* variable : size_variables) {
-        const char* text = std::getenv(variable);
-        if (text == nullptr) continue;
-        if (std::string_view(variable) == "SLURM_NTASKS" && std::getenv("SLURM_STEP_NUM_TASKS") == nullptr) continue;
-        if (whole_number(text) <= ranks) return;
+        const int size = size_in(variable);
+        if (size == 0) continue;
+        if (size <= ranks) return;
         throw scene::InputError(
             {fmt::format("found one rank where the launcher has started {0} processes ({1}={0}): it belongs to another MPI than this "
                          "program, so that each "
                          "process would compute everything by itself; allowed is the mpirun of the MPI that the program was built with, or "
                          "srun --mpi=pmix",
-                         text, variable)});
+                         size, variable)});
     }
 }
 

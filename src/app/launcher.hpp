@@ -8,6 +8,9 @@ namespace weavefront::app {
 /// environment tells: it is the one that prints, also before MPI is there or without it.
 bool is_first_process();
 
+/// Processes that the launcher has started together, as far as its environment tells; 1: this one alone.
+int launched_processes();
+
 /// Refuses to go on where the launcher has started several processes that do not know each other, as when
 /// mpirun belongs to another MPI than the one that Weavefront was built with: each would compute the whole
 /// run by itself.

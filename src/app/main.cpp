@@ -1,14 +1,12 @@
 #include <fmt/format.h>
 
-#include <chrono>
-#include <exception>
-#include <new>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "commands.hpp"
 #include "launcher.hpp"
+#include "outcome.hpp"
+#include "signals.hpp"
 #include "usage.hpp"
 #include "weavefront/scene/read.hpp"
 
@@ -16,22 +14,10 @@ namespace {
 
 using namespace weavefront;
 
-enum Status : int { done = 0, stopped = 1, bad_input = 2, system_error = 3 };
-
-Status report(Status status, const std::vector<std::string>& messages) {
-    // The launcher kills the first rank when another one fails; what all ranks find alike is its to tell, and it is given time to print.
-    if (!app::is_first_process()) {
-        if (status != system_error) return done;
-        std::this_thread::sleep_for(std::chrono::seconds(1));
-        return status;
-    }
-    for (const std::string& message : messages) fmt::print(stderr, "weavefront: error: {}\n", message);
-    return status;
-}
-
 void add_commands(CLI::App& app) {
     app.set_version_flag("--version", "weavefront " WEAVEFRONT_VERSION);
-    app.footer("Exit status: 0 done, 1 stopped by the physics or numerics guard, 2 bad input or usage, 3 system error.");
+    app.footer(
+        "Exit status: 0 done, 1 stopped by the physics or numerics guard, 2 bad input or usage, 3 system error, 4 stopped by a signal.");
     app.require_subcommand(1);
     app::add_run(app);
     app::add_check(app);
@@ -41,33 +27,42 @@ void add_commands(CLI::App& app) {
     app::add_partition(app);
 }
 
-Status run(CLI::App& app, int argc, char** argv) {
+void run(CLI::App& app, const std::vector<std::string>& arguments) {
+    app::refuse_unknown(app, arguments);
     try {
-        app::refuse_unknown(app, std::vector<std::string>(argv + 1, argv + argc));
-        app.parse(argc, argv);
-        return done;
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // the last one first, as CLI11 takes them
     } catch (const CLI::ParseError& error) {
-        const bool served = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help, --version
-        if (!served) return report(bad_input, {std::string(error.what()) + " (see weavefront --help)"});
-        if (app::is_first_process()) app.exit(error);
-        return done;
-    } catch (const scene::InputError& error) {
-        return report(bad_input, error.shown());
-    } catch (const app::GuardStop& stop) {
-        return report(stopped, {stop.what()});
-    } catch (const std::bad_alloc&) {
-        return report(system_error, {"out of memory"});
-    } catch (const std::exception& error) {
-        return report(system_error, {error.what()});
-    } catch (...) {
-        return report(system_error, {"unknown exception"});
+        const bool is_served = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help, --version
+        if (!is_served) throw scene::InputError({std::string(error.what()) + " (see weavefront --help)"});
+        if (weavefront::app::is_first_process()) app.exit(error);
     }
+}
+
+/// Several ranks: what one of them meets alone is told, too.
+int run_together(CLI::App& app, const std::vector<std::string>& arguments) {
+    const parallel::Environment environment(nullptr, nullptr);
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const auto outcome = app::outcome_of([&] {
+        app::require_same_arguments(arguments, comm);
+        run(app, arguments);
+    });
+    return app::report_together(outcome, comm);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    app::ignore_failed_writes();
     CLI::App app("Ballistic impact on woven-fabric armour", "weavefront");
     add_commands(app);
-    return run(app, argc, argv);
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    int status = 0;
+    const auto outcome = app::outcome_of([&] {
+        if (app::launched_processes() > 1)
+            status = run_together(app, arguments);
+        else
+            run(app, arguments);
+        app::run_end();
+    });
+    return outcome.status == app::Status::done ? status : app::report(outcome);
 }

@@ -3,10 +3,10 @@
 /// Failures agreed by all ranks before anyone leaves a collective path.
 
 #include <exception>
-#include <optional>
 #include <string>
+#include <utility>
 
-#include "weavefront/parallel/communicator.hpp"
+#include "weavefront/parallel/failure.hpp"
 
 namespace weavefront::io {
 
@@ -22,7 +22,7 @@ class Agreement {
         try {
             action();
         } catch (const std::exception& failure) {
-            if (!failure_) failure_ = failure.what();
+            if (failure_.empty()) failure_ = parallel::text_of(failure);
         }
     }
 
@@ -36,14 +36,13 @@ class Agreement {
     /// @note Collective
     template <class Error>
     void settle() {
-        if (const auto text = verdict()) throw Error(*text);
+        const auto text = parallel::first_failure(*comm_, std::exchange(failure_, {}));
+        if (!text.empty()) throw Error(text);
     }
 
   private:
-    [[nodiscard]] std::optional<std::string> verdict();
-
     const parallel::Communicator* comm_;
-    std::optional<std::string> failure_;
+    std::string failure_;
 };
 
 }  // namespace weavefront::io

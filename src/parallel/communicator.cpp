@@ -1,10 +1,12 @@
 #include "weavefront/parallel/communicator.hpp"
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
+#include <csignal>
+#include <exception>
 #include <new>
 #include <stdexcept>
+
+#include "weavefront/parallel/failure.hpp"
 
 namespace weavefront::parallel {
 
@@ -18,26 +20,46 @@ void check(int code) {
 
 namespace {
 
+/// Keeps signals that ask for an end from this thread, and from threads that it starts, for as long as it lives.
+class HeldSignals {
+  public:
+    HeldSignals() {
+        sigset_t ends;
+        sigemptyset(&ends);
+        for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2}) sigaddset(&ends, signal);
+        pthread_sigmask(SIG_BLOCK, &ends, &before_);
+    }
+    ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    HeldSignals(const HeldSignals&) = delete;
+    HeldSignals& operator=(const HeldSignals&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
 /// A rank without memory would leave the others waiting for it.
-[[noreturn]] void end_all_ranks() {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    std::fprintf(stderr, "weavefront: error: rank %d is out of memory\n", rank);
-    MPI_Abort(MPI_COMM_WORLD, 3);
-    std::abort();
+[[noreturn]] void end_without_memory() {
+    tell_failure("out of memory");
+    end_all_ranks();
 }
 
 }  // namespace
 
-Environment::Environment(int* argc, char*** argv) {
+Environment::Environment(int* argc, char*** argv) : exceptions_(std::uncaught_exceptions()) {
+    int is_initialized = 0;
+    check(MPI_Initialized(&is_initialized));
+    if (is_initialized != 0) return;
+    const HeldSignals held;
     check(MPI_Init(argc, argv));
-    int ranks = 1;
-    check(MPI_Comm_size(MPI_COMM_WORLD, &ranks));
-    if (ranks > 1) std::set_new_handler(end_all_ranks);
+    is_outermost_ = true;
+    check(MPI_Comm_size(MPI_COMM_WORLD, &ranks_));
+    if (ranks_ > 1) std::set_new_handler(end_without_memory);
 }
 
 Environment::~Environment() {
+    if (!is_outermost_) return;
     std::set_new_handler(nullptr);
+    if (ranks_ > 1 && std::uncaught_exceptions() > exceptions_) return;  // the others may not get here; leaving so ends them
     MPI_Finalize();
 }
 

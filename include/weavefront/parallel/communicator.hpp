@@ -14,14 +14,19 @@ namespace weavefront::parallel {
 /// Throws std::runtime_error with MPI's own text when `code` is not MPI_SUCCESS.
 void check(int code);
 
-/// Initialises MPI and finalises it at the end of its life. While it lives, a rank among several that runs out of memory says so and ends
-/// all of them with exit status 3.
+/// Initialises MPI and finalises it at the end of its life; inside of another one it does neither. While it lives, a rank among several
+/// that runs out of memory says so and ends all of them with exit status 3. Threads that MPI starts take no signal that asks for an end.
 class Environment {
   public:
     Environment(int* argc, char*** argv);
     ~Environment();
     Environment(const Environment&) = delete;
     Environment& operator=(const Environment&) = delete;
+
+  private:
+    bool is_outermost_ = false;
+    int exceptions_;  ///< under way when this was made
+    int ranks_ = 1;
 };
 
 /// A duplicated communicator, freed at the end of its life.

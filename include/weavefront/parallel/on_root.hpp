@@ -7,6 +7,7 @@
 #include <string>
 
 #include "weavefront/parallel/communicator.hpp"
+#include "weavefront/parallel/failure.hpp"
 
 namespace weavefront::parallel {
 
@@ -17,7 +18,7 @@ std::string failure_on_root(const Communicator& comm, Action&& action) {
     try {
         if (comm.rank() == 0) action();
     } catch (const std::exception& error) {
-        failure = error.what();
+        failure = text_of(error);
     }
     return comm.broadcast(failure);
 }

@@ -15,6 +15,7 @@
 #include "ranks_apart.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/exchange.hpp"
+#include "weavefront/parallel/failure.hpp"
 #include "weavefront/parallel/on_root.hpp"
 #include "weavefront/partition/contact_zone.hpp"
 #include "weavefront/partition/forecast.hpp"
@@ -177,7 +178,7 @@ Machine calibrate(const scene::Scene& scene, const parallel::Communicator& comm,
     compute_apart(comm, comm.rank() == 0, [&] { alone = repeat_steps(scene, self, self, repetitions); });
     const auto together = repeat_steps(scene, self, comm, repetitions);
     const double slowest = comm.max(together.times.mean());
-    sleep_until_all_arrive(comm);
+    parallel::meet(comm);
     time_messages(comm, machine);
     const auto fault = parallel::failure_on_root(comm, [&] {
         machine.pace = alone.pace;

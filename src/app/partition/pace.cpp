@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ranks_apart.hpp"
+#include "weavefront/parallel/failure.hpp"
 #include "weavefront/scene/read.hpp"
 
 namespace weavefront::app {
@@ -54,7 +54,7 @@ PacedSteps repeat_steps(const scene::Scene& scene, const parallel::Communicator&
     PacedSteps paced;
     for (int repetition = 0; repetition < repetitions; ++repetition) {
         if (all.rank() == 0) paced.pace = std::min(paced.pace, pace());
-        sleep_until_all_arrive(all);
+        parallel::meet(all);
         auto times = time_steps(scene, comm);
         if (repetition == 0)
             paced.times = std::move(times);

@@ -4,10 +4,11 @@
 
 #include <exception>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "weavefront/parallel/communicator.hpp"
-#include "weavefront/parallel/on_root.hpp"
+#include "weavefront/parallel/failure.hpp"
 #include "weavefront/solver/guard.hpp"
 
 namespace weavefront::app {
@@ -15,27 +16,23 @@ namespace weavefront::app {
 /// The first `count` ranks; none on the others. @note Collective
 std::optional<parallel::Communicator> first_ranks(const parallel::Communicator& comm, int count);
 
-/// Waits for all ranks asleep: MPI's own barrier would take processor time from those that still compute. @note Collective
-void sleep_until_all_arrive(const parallel::Communicator& comm);
-
-/// Runs `action` on some of the ranks, the first among them, while the others sleep.
-/// @throws on all ranks what `action` throws on the first one: solver::GuardStop, or else std::runtime_error
+/// Runs `action` on some of the ranks, the first among them, while the others sleep: MPI's own barrier would take processor time from those
+/// that compute.
+/// @throws on all ranks what `action` throws on any: solver::GuardStop, or else std::runtime_error
 /// @note Collective
 template <class Action>
 void compute_apart(const parallel::Communicator& comm, bool computes, Action action) {
-    std::string stopped;
-    std::exception_ptr failure;
+    std::string stopped, failure;
     try {
         if (computes) action();
     } catch (const solver::GuardStop& stop) {
         stopped = stop.what();
-    } catch (...) {
-        failure = std::current_exception();
+    } catch (const std::exception& error) {
+        failure = parallel::text_of(error);
     }
-    sleep_until_all_arrive(comm);
-    parallel::on_root(comm, [&] {
-        if (failure) std::rethrow_exception(failure);
-    });
+    parallel::meet(comm, failure);
+    failure = parallel::first_failure(comm, failure);
+    if (!failure.empty()) throw std::runtime_error(failure);
     stopped = comm.broadcast(stopped);
     if (!stopped.empty()) throw solver::GuardStop(stopped);
 }

@@ -1,6 +1,7 @@
 #include "hand_out.hpp"
 
 #include <algorithm>
+#include <exception>
 
 namespace weavefront::app {
 
@@ -8,7 +9,7 @@ namespace {
 constexpr int counters = 3;
 }
 
-HandOut::HandOut(const parallel::Communicator& comm) {
+HandOut::HandOut(const parallel::Communicator& comm) : exceptions_(std::uncaught_exceptions()) {
     const MPI_Aint bytes = comm.rank() == 0 ? counters * static_cast<MPI_Aint>(sizeof(std::int64_t)) : 0;
     parallel::check(MPI_Win_allocate(bytes, sizeof(std::int64_t), MPI_INFO_NULL, comm.get(), static_cast<void*>(&counters_), &window_));
     parallel::check(MPI_Win_lock_all(0, window_));
@@ -18,6 +19,7 @@ HandOut::HandOut(const parallel::Communicator& comm) {
 }
 
 HandOut::~HandOut() {
+    if (std::uncaught_exceptions() > exceptions_) return;  // the others may not get here
     MPI_Win_unlock_all(window_);
     MPI_Win_free(&window_);
 }

@@ -29,6 +29,7 @@ class HandOut {
   private:
     std::int64_t raise(int counter, std::int64_t by);
 
+    int exceptions_;  ///< under way when this was made
     MPI_Win window_ = MPI_WIN_NULL;
     std::int64_t* counters_ = nullptr;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -68,6 +69,23 @@ std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights, int part
     return scaled;
 }
 
+/// METIS handles SIGTERM itself while it works, and then fails. It is kept from this thread until METIS has given its handling back.
+class HeldTermination {
+  public:
+    HeldTermination() {
+        sigset_t termination;
+        sigemptyset(&termination);
+        sigaddset(&termination, SIGTERM);
+        pthread_sigmask(SIG_BLOCK, &termination, &before_);
+    }
+    ~HeldTermination() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    HeldTermination(const HeldTermination&) = delete;
+    HeldTermination& operator=(const HeldTermination&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
 /// What differs from one call of METIS to the other. Weights lie column by column.
 struct Call {
     decltype(&METIS_PartGraphKway) method;
@@ -87,6 +105,7 @@ Decomposition partition(const mesh::Panel& panel, std::vector<idx_t> weights, in
     options[METIS_OPTION_UFACTOR] = call.imbalance_in_thousandths;
     std::vector<idx_t> owner(decomposition.owner.size());
     const SilentOutput silent;
+    const HeldTermination held;
     const int status =
         call.method(&vertices, &call.constraints, graph.first.data(), graph.neighbours.data(), weights.data(), nullptr, nullptr,
                     &parts_wanted, nullptr, call.imbalances.empty() ? nullptr : call.imbalances.data(), options.data(), &cut, owner.data());

@@ -1,7 +1,11 @@
 #include "weavefront/parallel/mailboxes.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <exception>
 #include <memory>
 #include <numeric>
@@ -18,6 +22,21 @@ constexpr int looks_before_yielding = 2000;
 
 static_assert(std::atomic_ref<std::uint64_t>::is_always_lock_free, "ranks share it");
 
+/// Has the system fill memory with zeros, which it refuses where the memory cannot be had: to write there would end the program.
+bool is_had(void* memory, std::size_t bytes) {
+    const int zeros = ::open("/dev/zero", O_RDONLY | O_CLOEXEC);
+    if (zeros < 0) return false;
+    auto* at = static_cast<std::byte*>(memory);
+    for (std::size_t left = bytes; left > 0;) {
+        const auto filled = ::read(zeros, at, left);
+        if (filled < 0 && errno == EINTR) continue;
+        if (filled <= 0) break;
+        at += filled, left -= static_cast<std::size_t>(filled);
+    }
+    ::close(zeros);
+    return at == static_cast<std::byte*>(memory) + bytes;
+}
+
 std::size_t in_whole_lines(std::size_t bytes) { return (bytes + cache_line - 1) / cache_line * cache_line; }
 
 }  // namespace
@@ -33,6 +52,7 @@ Mailboxes::Mailboxes(const Communicator& comm)
     : exceptions_(std::uncaught_exceptions()), rank_(comm.rank()), on_host_(static_cast<std::size_t>(comm.size()), -1) {
     if (comm.size() == 1) return;
     check(MPI_Comm_split_type(comm.get(), MPI_COMM_TYPE_SHARED, comm.rank(), MPI_INFO_NULL, &host_));
+    check(MPI_Comm_set_errhandler(host_, MPI_ERRORS_RETURN));
     check(MPI_Comm_size(host_, &ranks_on_host_));
     check(MPI_Comm_rank(host_, &rank_on_host_));
     std::vector<int> ranks(on_host_.size());
@@ -59,12 +79,20 @@ void Mailboxes::release() {
     MPI_Win_free(&window_);
 }
 
-void Mailboxes::allocate(std::size_t bytes) {
+bool Mailboxes::allocate(std::size_t bytes) {
     release();
-    void* mine = nullptr;
-    check(MPI_Win_allocate_shared(static_cast<MPI_Aint>(bytes), 1, MPI_INFO_NULL, host_, &mine, &window_));
-    check(MPI_Win_lock_all(MPI_MODE_NOCHECK, window_));
     memories_.clear();
+    room_ = 0;
+    void* mine = nullptr;
+    const int code = MPI_Win_allocate_shared(static_cast<MPI_Aint>(bytes), 1, MPI_INFO_NULL, host_, &mine, &window_);
+    if (code != MPI_SUCCESS) window_ = MPI_WIN_NULL;
+    int is_had_by_all = code == MPI_SUCCESS && is_had(mine, bytes) ? 1 : 0;
+    check(MPI_Allreduce(MPI_IN_PLACE, &is_had_by_all, 1, MPI_INT, MPI_MIN, host_));
+    if (window_ != MPI_WIN_NULL) check(MPI_Win_lock_all(MPI_MODE_NOCHECK, window_));
+    if (is_had_by_all == 0) {
+        release();
+        return false;
+    }
     for (int r = 0; r < ranks_on_host_; ++r) {
         MPI_Aint size = 0;
         int unit = 0;
@@ -77,10 +105,11 @@ void Mailboxes::allocate(std::size_t bytes) {
     room_ = bytes - cache_line;
     turn_ = 0;
     header(rank_on_host_) = {};
+    return true;
 }
 
 void Mailboxes::open(std::span<const std::size_t> bytes) {
-    if (ranks_on_host_ == 1) return;
+    if (ranks_on_host_ == 1 || is_refused_) return;
     std::vector<std::size_t> begins(static_cast<std::size_t>(ranks_on_host_), 0);
     std::size_t end = 0;
     for (std::size_t r = 0; r < bytes.size(); ++r) {
@@ -90,7 +119,8 @@ void Mailboxes::open(std::span<const std::size_t> bytes) {
     }
     std::uint64_t wanted = before_messages() + 2 * end;
     check(MPI_Allreduce(MPI_IN_PLACE, &wanted, 1, MPI_UINT64_T, MPI_MAX, host_));
-    if (wanted > room_) allocate(in_whole_lines(wanted + wanted / 2) + cache_line);
+    is_refused_ = wanted > room_ && !allocate(in_whole_lines(wanted + wanted / 2) + cache_line);
+    if (is_refused_) return;
     auto& own = header(rank_on_host_);
     own.bytes = end;
     std::ranges::copy(begins, reinterpret_cast<std::size_t*>(&own + 1));
@@ -116,7 +146,7 @@ std::byte* Mailboxes::outgoing(int rank) const { return message(rank_on_host_, o
 
 void Mailboxes::post() {
     ++turn_;
-    if (ranks_on_host_ > 1) std::atomic_ref(header(rank_on_host_).turn).store(turn_, std::memory_order_release);
+    if (ranks_on_host_ > 1 && !is_refused_) std::atomic_ref(header(rank_on_host_).turn).store(turn_, std::memory_order_release);
 }
 
 const std::byte* Mailboxes::incoming(int rank) const {

@@ -40,16 +40,15 @@ class Exchange {
     Exchange() = default;
     explicit Exchange(std::vector<Link> links) : links_(std::move(links)), by_mail_(links_.size(), false) { make_buffers(); }
 
-    /// From now on ranks of this host tell each other through mailboxes, which no other exchange uses then.
+    /// From now on ranks of this host tell each other through mailboxes, where these have memory; no other exchange uses them then.
     /// @note Collective
     void use(const Communicator& comm, Mailboxes& mailboxes) {
         mailboxes_ = &mailboxes;
         std::vector<std::size_t> lengths(static_cast<std::size_t>(comm.size()), 0);
-        for (std::size_t k = 0; k < links_.size(); ++k) {
-            by_mail_[k] = mailboxes.reach(links_[k].rank);
-            if (by_mail_[k]) lengths[static_cast<std::size_t>(links_[k].rank)] = most_bytes(links_[k].out);
-        }
+        for (const auto& link : links_)
+            if (mailboxes.reach(link.rank)) lengths[static_cast<std::size_t>(link.rank)] = most_bytes(link.out);
         mailboxes.open(lengths);
+        for (std::size_t k = 0; k < links_.size(); ++k) by_mail_[k] = mailboxes.reach(links_[k].rank);  // unless it had no memory
         make_buffers();
     }
 

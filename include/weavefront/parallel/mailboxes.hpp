@@ -21,10 +21,14 @@ class Mailboxes {
     Mailboxes(const Mailboxes&) = delete;
     Mailboxes& operator=(const Mailboxes&) = delete;
 
-    /// Whether a rank is another one of this host.
-    [[nodiscard]] bool reach(int rank) const { return on_host_[static_cast<std::size_t>(rank)] >= 0 && rank != rank_; }
+    /// Whether a rank is another one of this host, and memory can be shared with it.
+    [[nodiscard]] bool reach(int rank) const { return !is_refused_ && on_host_[static_cast<std::size_t>(rank)] >= 0 && rank != rank_; }
 
-    /// Makes room for messages of other lengths. What was posted last has been read by all. @param bytes to each rank; 0: none
+    /// Whether the host has not had the memory: then no rank of it is reached from that `open` on.
+    [[nodiscard]] bool is_refused() const { return is_refused_; }
+
+    /// Makes room for messages of other lengths, where the host has it. What was posted last has been read by all. @param bytes to each
+    /// rank; 0: none
     /// @note Collective
     void open(std::span<const std::size_t> bytes);
 
@@ -41,7 +45,7 @@ class Mailboxes {
     [[nodiscard]] Header& header(int on_host) const;
     [[nodiscard]] std::byte* message(int from, int to, std::uint64_t turn) const;
     [[nodiscard]] std::size_t before_messages() const;
-    void allocate(std::size_t bytes);
+    [[nodiscard]] bool allocate(std::size_t bytes);
     void release();
 
     int exceptions_;  ///< under way when this was made
@@ -52,6 +56,7 @@ class Mailboxes {
     std::vector<std::byte*> memories_;  ///< of the ranks of this host
     std::size_t room_ = 0;              ///< of each, bytes
     std::uint64_t turn_ = 0;            ///< of the last post
+    bool is_refused_ = false;
 };
 
 }  // namespace weavefront::parallel

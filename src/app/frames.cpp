@@ -1,12 +1,10 @@
 #include "frames.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace weavefront::app {
 
 namespace {
-
-double finite(double value) { return std::isfinite(value) ? value : 0; }
 
 /// The local indices of the nodes that this rank owns.
 std::vector<std::size_t> owned_nodes(const solver::Nodes& nodes) {
@@ -70,7 +68,7 @@ io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Fiel
         std::vector<double> values(3 * owned.size());
         for (std::size_t i = 0; i < owned.size(); ++i) {
             const Vec3 vector = value(owned[i]);
-            for (std::size_t d = 0; d < 3; ++d) values[3 * i + d] = finite(vector[static_cast<Eigen::Index>(d)]);
+            for (std::size_t d = 0; d < 3; ++d) values[3 * i + d] = vector[static_cast<Eigen::Index>(d)];
         }
         return values;
     };
@@ -80,7 +78,7 @@ io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Fiel
         const auto& p = *model.projectile;
         frame.projectile = {p.position.x(), p.position.y(), p.position.z()};
         travel = p.position - simulation.initial_projectile();
-        velocity = p.velocity;
+        velocity = simulation.projectile_velocity();
     }
     if (wanted(fields, scene::Field::displacement))
         frame.point_data.push_back({"displacement",
@@ -89,8 +87,11 @@ io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Fiel
                                     vectors([&](std::size_t n) -> Vec3 { return nodes.x[n] - nodes.initial[n]; }),
                                     {travel.x(), travel.y(), travel.z()}});
     if (wanted(fields, scene::Field::velocity))
-        frame.point_data.push_back(
-            {"velocity", 3, false, vectors([&](std::size_t n) { return nodes.v[n]; }), {velocity.x(), velocity.y(), velocity.z()}});
+        frame.point_data.push_back({"velocity",
+                                    3,
+                                    false,
+                                    vectors([&](std::size_t n) { return simulation.velocity(n); }),
+                                    {velocity.x(), velocity.y(), velocity.z()}});
 
     std::vector<CellField> cells;
     for (const auto& field : cell_fields())
@@ -104,8 +105,8 @@ io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Fiel
         const auto place = model.places[e];
         frame.eroded.push_back(!model.groups[static_cast<std::size_t>(place.group)]->alive(place.index));
         if (cells.empty()) continue;
-        const auto output = simulation.element_output(static_cast<std::int32_t>(e));
-        for (std::size_t c = 0; c < cells.size(); ++c) frame.cell_data[c].values[e] = finite(cells[c].value(output));
+        const auto output = model.output(static_cast<std::int32_t>(e));
+        for (std::size_t c = 0; c < cells.size(); ++c) frame.cell_data[c].values[e] = cells[c].value(output);
     }
     frame.cell_data.push_back(std::move(joined));
     return frame;

@@ -145,7 +145,7 @@ void Simulation::add_projectile(Balance& balance) const {
     const auto& p = *model_.projectile;
     const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
     balance.projectile = p.position;
-    balance.projectile_velocity = p.velocity + last_dt_ / 2 * acceleration;
+    balance.projectile_velocity = projectile_velocity();
     balance.contact_force = projectile_force_;
     balance.kinetic_projectile = scene_.projectile->mass * p.velocity.dot(p.velocity + last_dt_ * acceleration) / 2;
 }

@@ -114,6 +114,12 @@ bool Model::touches(std::int32_t element) const {
     return (ply_contact && ply_contact->touches(element)) || (projectile_contact && projectile_contact->touches(element));
 }
 
+shell::ElementOutput Model::output(std::int32_t element) const {
+    if (const auto held = eroded.find(element); held != eroded.end()) return held->second;
+    const auto place = places[static_cast<std::size_t>(element)];
+    return groups[static_cast<std::size_t>(place.group)]->output(place.index, nodes.x);
+}
+
 std::size_t Model::bytes() const {
     std::size_t sum = nodes.x.size() * (2 * sizeof(Vec3) + sizeof(FixedVector) + sizeof(double) + sizeof(std::int64_t) + 1);
     for (const auto& group : groups) sum += group->bytes();

@@ -1,12 +1,30 @@
 #include "weavefront/solver/redistribution.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "weavefront/parallel/all_to_all.hpp"
 
 namespace weavefront::solver {
 
 namespace {
+
+constexpr std::size_t shown_of_eroded = 8;
+
+std::array<double, shown_of_eroded> numbers_of(const shell::ElementOutput& o) {
+    return {o.strain_fill,
+            o.strain_warp,
+            o.stress_fill,
+            o.stress_warp,
+            o.braid_angle,
+            o.crimp_height,
+            o.broken_fill ? 1.0 : 0.0,
+            o.broken_warp ? 1.0 : 0.0};
+}
+
+shell::ElementOutput output_of(std::span<const double> numbers) {
+    return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6] != 0, numbers[7] != 0};
+}
 
 /// The id of an element (below 2^53, so a double holds it), its corners' motion, and what fabric and contact remember of it.
 std::vector<double> record_of(const Model& model, std::int32_t element) {
@@ -17,7 +35,12 @@ std::vector<double> record_of(const Model& model, std::int32_t element) {
         for (const auto* vector : {&model.nodes.x[n], &model.nodes.v[n]}) record.insert(record.end(), vector->begin(), vector->end());
     }
     const auto place = model.places[e];
-    model.groups[static_cast<std::size_t>(place.group)]->save(place.index, record);
+    const auto& group = *model.groups[static_cast<std::size_t>(place.group)];
+    group.save(place.index, record);
+    if (!group.alive(place.index)) {
+        const auto shown = numbers_of(model.output(element));
+        record.insert(record.end(), shown.begin(), shown.end());
+    }
     if (model.projectile_contact) model.projectile_contact->save(element, record);
     if (model.ply_contact) model.ply_contact->save(element, record);
     if (model.frame_contact) model.frame_contact->save(element, record);
@@ -44,6 +67,10 @@ std::span<const double> take_record(std::span<const double> records, Model& mode
     auto& group = *model.groups[static_cast<std::size_t>(place.group)];
     records = group.restore(place.index, records);
     model.surface.alive[e] = group.alive(place.index);
+    if (!group.alive(place.index)) {
+        model.eroded.emplace(element, output_of(records));
+        records = records.subspan(shown_of_eroded);
+    }
     if (model.projectile_contact) records = model.projectile_contact->restore(element, records);
     if (model.ply_contact) records = model.ply_contact->restore(element, records);
     if (model.frame_contact) records = model.frame_contact->restore(element, records);

@@ -162,6 +162,7 @@ void Simulation::note(const shell::Events& events) {
     for (const double lost : events.lost_hourglass) add_energy(eroded_hourglass_, lost);
     for (const auto& erosion : events.eroded) {
         just_eroded_.push_back(erosion.element);
+        model_.eroded.emplace(erosion.element, model_.output(erosion.element));
         add_energy(eroded_work_, erosion.work);
         add_energy(eroded_friction_, erosion.friction);
         add_energy(eroded_hourglass_, erosion.hourglass);
@@ -234,14 +235,15 @@ void Simulation::sum_over_ranks() {
         eroded,
         left,
         stiff,
+        stop,
         fault,
         released,
         wanted = released + contact_kinds,
         size = wanted + contact_kinds
     };
     std::array<std::int64_t, size> sums{
-        on_projectile_[0],   on_projectile_[1], on_projectile_[2], static_cast<std::int64_t>(just_eroded_.size()),
-        moved_far() ? 1 : 0, stiffened ? 1 : 0, faulty ? 1 : 0};
+        on_projectile_[0],   on_projectile_[1], on_projectile_[2],      static_cast<std::int64_t>(just_eroded_.size()),
+        moved_far() ? 1 : 0, stiffened ? 1 : 0, is_stop_asked_ ? 1 : 0, faulty ? 1 : 0};
     std::ranges::copy(sliding_released_, sums.begin() + released);
     std::ranges::copy(sliding_wanted_, sums.begin() + wanted);
     comm_.sum(sums);
@@ -252,7 +254,13 @@ void Simulation::sum_over_ranks() {
     torn_ = torn_ || sums[eroded] > 0;
     candidates_outdated_ = sums[eroded] > 0 || sums[left] > 0;
     stiffened_ = sums[stiff] > 0;
-    if (sums[fault] > 0) stop_at_fault();
+    is_stop_agreed_ = sums[stop] > 0;
+    if (sums[fault] > 0) {
+        // What is shown is the state before these forces.
+        std::ranges::fill(model_.nodes.force, FixedVector{});
+        projectile_force_.setZero();
+        stop_at_fault();
+    }
 }
 
 void Simulation::stop_at_fault() const {
@@ -375,9 +383,14 @@ void Simulation::let_debris_go() {
         if (!in_fabric[n]) expected_nodes_.let_go(n);
 }
 
-shell::ElementOutput Simulation::element_output(std::int32_t element) const {
-    const auto place = model_.places[static_cast<std::size_t>(element)];
-    return model_.groups[static_cast<std::size_t>(place.group)]->output(place.index, model_.nodes.x);
+Vec3 Simulation::velocity(std::size_t node) const {
+    const Vec3 &v = model_.nodes.v[node], acceleration = (next_velocity(node) - v) / ((last_dt_ + dt_) / 2);
+    return v + last_dt_ / 2 * acceleration;
+}
+
+Vec3 Simulation::projectile_velocity() const {
+    const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
+    return model_.projectile->velocity + last_dt_ / 2 * acceleration;
 }
 
 }  // namespace weavefront::solver

@@ -96,7 +96,7 @@ class Watch {
             see({nodes.x[n].x(), nodes.x[n].y(), nodes.x[n].z(), nodes.v[n].x(), nodes.v[n].y(), nodes.v[n].z()});
         const auto elements = static_cast<std::int32_t>(simulation_.model().places.size());
         for (std::int32_t e = 0; e < elements; ++e) {
-            const auto out = simulation_.element_output(e);
+            const auto out = simulation_.model().output(e);
             see({out.strain_fill, out.strain_warp, out.stress_fill, out.stress_warp, out.braid_angle, out.crimp_height});
         }
         result_.bits = fingerprint_.value();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "weavefront/contact/frame_contact.hpp"
@@ -49,9 +50,13 @@ struct Model {
     std::optional<contact::PlyContact> ply_contact;
     std::optional<contact::FrameContact> frame_contact;
     std::optional<contact::ProjectileOnFrame> projectile_on_frame;
+    /// What results show of owned elements that are eroded, as it was when that happened: their strains go on growing with their nodes.
+    std::unordered_map<std::int32_t, shell::ElementOutput> eroded;
 
     /// Whether contact remembers anything of an owned element: it touches another ply or the projectile.
     [[nodiscard]] bool touches(std::int32_t element) const;
+    /// What results show of an owned element.
+    [[nodiscard]] shell::ElementOutput output(std::int32_t element) const;
     [[nodiscard]] std::size_t bytes() const;
 };
 

@@ -63,6 +63,11 @@ class Simulation {
     /// Goes on with other columns on this rank, without changing a bit; between integrate and advance_forces.
     void redistribute(const partition::Decomposition& decomposition);
 
+    /// Asks all ranks to stop; they agree in the next `advance_forces`, without a message of its own. Not collective.
+    void ask_to_stop() { is_stop_asked_ = true; }
+    /// Whether a rank has asked to stop.
+    [[nodiscard]] bool is_stop_agreed() const { return is_stop_agreed_; }
+
     /// Energies and motion now; between advance_forces and integrate. @note Collective
     [[nodiscard]] Balance balance();
 
@@ -83,10 +88,15 @@ class Simulation {
     [[nodiscard]] double projectile_diameter() const { return scene_.projectile ? scene_.projectile->diameter : 0; }
     [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
     [[nodiscard]] const PhaseSeconds& seconds() const { return seconds_; }
+    /// Whether the host of this rank lacks memory for its ranks to share: they send messages then.
+    [[nodiscard]] bool lacks_shared_memory() const { return mailboxes_.is_refused(); }
     /// Position of the projectile's nose at the start, m.
     [[nodiscard]] const Vec3& initial_projectile() const { return initial_projectile_; }
-    /// Strains, stresses, ... of an owned element.
-    [[nodiscard]] shell::ElementOutput element_output(std::int32_t element) const;
+    /// Velocity of an own node at the present time, as of the projectile between advance_forces and integrate, m/s. The scheme itself keeps
+    /// those of the middle of the last step.
+    [[nodiscard]] Vec3 velocity(std::size_t node) const;
+    /// @pre there is a projectile
+    [[nodiscard]] Vec3 projectile_velocity() const;
 
   private:
     enum ContactKind : std::size_t { of_projectile, of_plies, of_frame, contact_kinds };
@@ -144,6 +154,8 @@ class Simulation {
     std::int64_t steps_ = 0;
     std::int64_t next_check_ = 0;  // step at which the time step is adapted again
     bool stiffened_ = false;       // yarns of any rank, so far that this has to be done now
+
+    bool is_stop_asked_ = false, is_stop_agreed_ = false;  // on this rank, on any
 
     FixedVector on_projectile_{};
     Vec3 projectile_force_{0, 0, 0}, frame_force_{0, 0, 0};  // on the projectile: of all, and of the frame alone, N

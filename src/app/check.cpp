@@ -83,7 +83,7 @@ void print_time(const scene::Scene& scene, const mesh::Panel& panel, const solve
 
 /// @returns none: the target does not fit into this machine
 std::optional<solver::StepLimits> limits_of(const scene::Scene& scene, const mesh::Panel& panel) {
-    if (memory_needed(panel.elements()) > memory_here()) return std::nullopt;
+    if (memory_needed(panel) > memory_here()) return std::nullopt;
     const auto limits = solver::step_limits(scene, panel);
     if (!(limits.time_step > 0)) throw GuardStop("the time step vanishes: a stiffness is beyond the range of numbers");
     return limits;
@@ -103,7 +103,7 @@ void check(const Options& options) {
                panel.plies.size(), panel.columns_x(), panel.columns_y(), panel.multiplicity());
     for (const auto& fabric : scene.fabrics) fmt::print("  fabric     {}\n", fabric_text(fabric, scene.units));
     if (const auto air = air_text(scene); !air.empty()) fmt::print("  air        {} between the plies\n", air);
-    fmt::print("  memory     up to {} on all ranks together\n", bytes_text(memory_needed(panel.elements())));
+    fmt::print("  memory     up to {} on all ranks together\n", bytes_text(memory_needed(panel)));
     if (limits)
         print_time(scene, panel, *limits);
     else

@@ -2,25 +2,24 @@
 /// @file
 /// What a target takes of a machine's memory.
 
-#include <cstdint>
 #include <string>
 
+#include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/communicator.hpp"
 
 namespace weavefront::app {
 
-/// Bytes that a run takes at the most, on all ranks together: 600 an element, as measured on the large panel of examples/large_panel, whose
-/// set-up takes the most. Moving columns (`--rebalance`) takes as much again for a while.
-double memory_needed(std::int64_t elements);
+/// Bytes that a run takes at the most, on all ranks together. Moving columns (`--rebalance`) takes as much again for a while.
+double memory_needed(const mesh::Panel& panel);
 
-/// Bytes that this machine has.
+/// Bytes that this machine has to give.
 double memory_here();
 
 /// In MB, or in GB from 1 GB on.
 std::string bytes_text(double bytes);
 
-/// @throws std::runtime_error on all ranks when the share of one of them alone is more than its machine has
+/// @throws std::runtime_error on all ranks when the ranks of one machine together need more than it has to give
 /// @note Collective
-void require_memory(std::int64_t elements, const parallel::Communicator& comm);
+void require_memory(const mesh::Panel& panel, const parallel::Communicator& comm);
 
 }  // namespace weavefront::app

@@ -15,7 +15,7 @@ TEXT
 packages=(
     g++ cmake ninja-build git clang-format
     libopenmpi-dev openmpi-bin libhdf5-openmpi-dev hdf5-tools libmetis-dev libeigen3-dev libgtest-dev libbenchmark-dev valgrind
-    libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev libudunits2-dev nlohmann-json3-dev
+    libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev libudunits2-dev nlohmann-json3-dev libssl-dev
     python3 python3-h5py python3-matplotlib
 )
 
@@ -87,7 +87,7 @@ demo() {
     local out=runs/demo
     prepare_mpirun
     say 'eight plies of Kevlar 129 hit at 428 m/s, coarse mesh, 2 ranks'
-    mpirun -n 2 build/release/src/app/weavefront run examples/kevlar129_8ply/impact_428.yaml --set target.mesh.center='2 mm' --output "$out"
+    mpirun -n 2 build/release/src/app/weavefront run examples/kevlar129_8ply/impact_428.yaml --set target.mesh.center='2 mm' --output "$out" --overwrite
     say 'drawing'
     build/release/bin/weavefront-plot "$out"
     say "results (open results.vtkhdf in ParaView 5.12 or newer), history and summary are in $root/$out, the pictures:"

@@ -24,6 +24,8 @@ class CsvTable {
     /// @throws std::runtime_error naming the file when it cannot be written
     void write(const std::filesystem::path& path) const;
 
+    [[nodiscard]] const std::string& text() const { return text_; }
+
   private:
     std::string header_, text_;
     std::size_t rows_ = 0;

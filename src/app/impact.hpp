@@ -2,11 +2,12 @@
 /// @file
 /// One impact, from its scene to its folder of results.
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "run_report.hpp"
 #include "weavefront/io/log.hpp"
+#include "weavefront/io/output_directory.hpp"
 #include "weavefront/parallel/communicator.hpp"
 #include "weavefront/scene/scene.hpp"
 
@@ -16,19 +17,20 @@ namespace weavefront::app {
 class Impact {
   public:
     /// @param scene     must outlive this object
-    /// @param directory for history.csv, results.vtkhdf, summary.json and run.log; exists
+    /// @param directory for history.csv, results.vtkhdf, summary.json and run.log; what it holds of an earlier run stays until
+    /// `to_the_end`; must outlive this object
     /// @param comm      ranks that compute it; must outlive this object
     /// @param terminal  whether the log is shown
     /// @param rebalance imbalance of the ranks above which columns move between them; none: they stay
     /// @note Collective
-    Impact(const scene::Scene& scene, const std::filesystem::path& directory, const parallel::Communicator& comm,
+    Impact(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm,
            io::Terminal terminal = io::Terminal::shown, std::optional<double> rebalance = {});
     ~Impact();
     Impact(const Impact&) = delete;
     Impact& operator=(const Impact&) = delete;
 
-    /// Computes to the end and writes everything. @return why the guard stopped the run; nothing: it came to its end
-    [[nodiscard]] std::optional<std::string> to_the_end();
+    /// Computes to the end, or until a rank is sent a signal to stop, and writes everything. @throws Interrupted when that was sent before
+    [[nodiscard]] Ending to_the_end();
 
   private:
     class Parts;

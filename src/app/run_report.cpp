@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
+#include <optional>
 
 #include "closing_warnings.hpp"
 #include "left_out.hpp"
@@ -39,6 +41,11 @@ std::vector<io::PhaseTime> phase_times(const solver::PhaseSeconds& seconds, cons
         times.push_back(time);
     }
     return times;
+}
+
+std::string status_of(Ending::Kind kind) {
+    if (kind == Ending::Kind::stopped) return "stopped";
+    return kind == Ending::Kind::interrupted ? "interrupted" : "finished";
 }
 
 /// Time of the first broken yarn of each ply over the ranks; none where all are whole.
@@ -136,6 +143,13 @@ void RunReport::start(const solver::Simulation& simulation) {
                           scene_.time.end / simulation.time_step(), scene_.time.end * 1e6));
     for (const auto& phrase : left_out(scene_, comm_.size())) log_.info("  left out      " + phrase);
     for (const auto& phrase : warnings(scene_, panel, simulation.time_step())) log_.warn(phrase);
+    tell_lack_of_shared_memory(simulation);
+}
+
+void RunReport::tell_lack_of_shared_memory(const solver::Simulation& simulation) {
+    if (!comm_.any(simulation.lacks_shared_memory()) || is_lack_told_) return;
+    is_lack_told_ = true;
+    log_.warn("ranks of one host send messages, which takes longer: /dev/shm has no room for the memory that they would share");
 }
 
 std::string RunReport::projectile_text(const solver::Simulation& simulation) {
@@ -156,13 +170,14 @@ void RunReport::never_rebalanced(double worst) {
     log_.info("  rebalanced    never: " + reason);
 }
 
-void RunReport::finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,
-                       const std::filesystem::path& directory) {
+void RunReport::finish(solver::Simulation& simulation, const solver::Balance& last, const Ending& ending,
+                       const std::filesystem::path& directory, const std::string& history_hash) {
     io::Summary summary;
     const double computed = seconds_since(computing_);
     simulation.seconds()[static_cast<std::size_t>(solver::Phase::setup)] = seconds_since(begin_) - computed;
-    summary.status = stopped ? "stopped" : "finished";
-    summary.reason = stopped.value_or(simulation.time() < scene_.time.end ? "the outcome is decided" : "end time reached");
+    summary.status = status_of(ending.kind);
+    summary.reason = ending.reason;
+    summary.history_sha256 = history_hash;
     summary.versions = library_versions();
     summary.scene_hash = scene_.hash;
     summary.title = scene_.title;
@@ -188,8 +203,8 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     summary.first_break = first_breaks(simulation.counts(), comm_);
     summary.left_out = left_out(scene_, comm_.size());
 
-    log_.info(fmt::format("{} at t = {:.6g} us after {} steps: {}", stopped ? "Stopped" : "Finished", summary.time * 1e6, summary.steps,
-                          summary.reason));
+    log_.info(fmt::format("{}{} at t = {:.6g} us after {} steps: {}", static_cast<char>(std::toupper(summary.status[0])),
+                          summary.status.substr(1), summary.time * 1e6, summary.steps, summary.reason));
     if (summary.outcome) log_.info("  outcome       " + outcome_text(*summary.outcome, simulation.panel().plies.size()));
     if (summary.residual_velocity)
         log_.info(fmt::format("  projectile    {:.2f} m/s along z; largest displacement {:.3f} mm, of the back face {:.3f} mm",
@@ -201,6 +216,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
         "{:.3g} J",
         simulation.counts().largest_closure * 100, last.turnover, last.internal, last.hourglass, last.contact));
     for (const auto& warning : closing_warnings(scene_, simulation, last)) log_.warn(warning);
+    tell_lack_of_shared_memory(simulation);
     for (const auto& phase : summary.wall_seconds)
         log_.info(fmt::format("  {:<13} {:.2f} / {:.2f} / {:.2f} s (least, mean, most over the ranks)", phase.name, phase.min, phase.mean,
                               phase.max));

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "weavefront/io/log.hpp"
@@ -17,6 +16,13 @@ namespace weavefront::app {
 
 /// A balance as a row of history.csv. @param columns of elements, which all plies have
 io::HistoryRow row_of(const solver::Balance& balance, std::int64_t columns);
+
+/// How a run has ended and why.
+struct Ending {
+    enum class Kind { finished, stopped, interrupted };
+    Kind kind = Kind::finished;
+    std::string reason;
+};
 
 class RunReport {
   public:
@@ -34,19 +40,21 @@ class RunReport {
     /// They might have, and have not. @param worst slowest rank over the mean, at most; 0: never measured
     void never_rebalanced(double worst);
 
-    /// The closing lines and summary.json. @note Collective
-    void finish(solver::Simulation& simulation, const solver::Balance& last, const std::optional<std::string>& stopped,
-                const std::filesystem::path& directory);
+    /// The closing lines and summary.json. @param history_hash on rank 0 @note Collective
+    void finish(solver::Simulation& simulation, const solver::Balance& last, const Ending& ending, const std::filesystem::path& directory,
+                const std::string& history_hash);
 
     /// The last line of run.log: when the run has ended. `finish` ends with it.
     void record_end();
 
   private:
+    void tell_lack_of_shared_memory(const solver::Simulation& simulation);
+
     const scene::Scene& scene_;
     const parallel::Communicator& comm_;
     io::Log& log_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-    std::chrono::steady_clock::time_point computing_;
+    std::chrono::steady_clock::time_point begin_, computing_;
+    bool is_lack_told_ = false;
 };
 
 }  // namespace weavefront::app

@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <system_error>
 
 #include "commands.hpp"
 #include "launcher.hpp"
+#include "outcome.hpp"
 #include "run_head.hpp"
 #include "shared_text.hpp"
+#include "signals.hpp"
 #include "study/measure.hpp"
 #include "study/measured_values.hpp"
 #include "study/study_check.hpp"
@@ -40,6 +43,7 @@ void write_results(const scene::Study& study, const std::vector<StudyEntry>& ent
 
 /// @returns whether this is the rank that draws
 bool compute(const Options& options) {
+    const NotedSignals signals;
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     require_one_job(comm.size());
@@ -51,8 +55,9 @@ bool compute(const Options& options) {
         measured = read_measured(study, entries, shared_text(study.reference.file, comm, scene::most_of_table));
     std::optional<study::TextTable> before;
     if (!options.check.empty()) before = table_of_before(study, entries, options.check, comm);
-    const io::OutputDirectory kept(options.output, comm);
+    const io::OutputDirectory kept(options.output, comm, io::Earlier::kept);
     io::Log log(options.output, comm);
+    log.publish();
     const auto begin = std::chrono::steady_clock::now();
     for (const auto& line : run_head(comm)) log.record(line);
     log.info(fmt::format("Weavefront {}: study {}", WEAVEFRONT_VERSION, study.title));
@@ -66,11 +71,11 @@ bool compute(const Options& options) {
 void study(Options options) {
     if (options.output.empty()) {
         // Studies are called study.yaml in a folder that says of what.
-        const std::filesystem::path whole = std::filesystem::absolute(options.study);
+        std::error_code unknown;
+        const std::filesystem::path whole = std::filesystem::absolute(options.study, unknown);
         options.output = std::filesystem::path("runs") / (whole.stem() == "study" ? whole.parent_path().filename() : whole.stem());
     }
-    // A program is started when MPI has ended: not every MPI allows it before.
-    if (compute(options) && !options.no_picture) draw_study(options.output);
+    if (compute(options) && !options.no_picture) run_at_end([folder = options.output] { draw_study(folder); });
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "frame_publisher.hpp"
 
+#include "weavefront/io/new_file.hpp"
+
 namespace weavefront::io {
 
 FramePublisher::FramePublisher(const std::string& path)
@@ -20,6 +22,12 @@ void FramePublisher::publish(std::int64_t frame, double time) {
     const auto number = static_cast<std::int32_t>(frames);
     checked(H5Awrite(count_.get(), H5T_NATIVE_INT32, &number), doing_);
     flush();
+}
+
+void FramePublisher::require_in_place(const std::string& path) const {
+    void* descriptor = nullptr;  // of the driver for one process: to an int
+    checked(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), doing_);
+    io::require_in_place(*static_cast<const int*>(descriptor), path);
 }
 
 void FramePublisher::flush() const { checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), doing_); }

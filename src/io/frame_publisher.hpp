@@ -22,6 +22,9 @@ class FramePublisher {
     /// @throws FileError
     void publish(std::int64_t frame, double time);
 
+    /// @throws FileError when `path` does not lead to the file
+    void require_in_place(const std::string& path) const;
+
   private:
     void flush() const;
 

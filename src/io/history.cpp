@@ -1,13 +1,9 @@
 #include "weavefront/io/history.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
+#include <fmt/ranges.h>
 
-#include <cerrno>
 #include <cmath>
-#include <system_error>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -80,50 +76,11 @@ std::string history_line(const HistoryRow& row) {
     return fmt::format("{}", fmt::join(cells, ","));
 }
 
-/// The open file on rank 0. A line goes out in one call to the system, which no stream promises.
-class History::File {
-  public:
-    explicit File(std::string path)
-        : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0666)) {
-        if (descriptor_ < 0) fail("created");
-    }
-    ~File() { ::close(descriptor_); }
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
-
-    void append(std::string line) const {
-        line += '\n';
-        for (std::size_t done = 0; done < line.size();) {
-            const auto wrote = ::write(descriptor_, line.data() + done, line.size() - done);
-            if (wrote < 0 && errno != EINTR) {
-                take_back(done);
-                fail("written");
-            }
-            if (wrote > 0) done += static_cast<std::size_t>(wrote);
-        }
-    }
-
-  private:
-    /// Takes part of a line off the end again, and leaves errno as it is.
-    void take_back(std::size_t part) const {
-        const int cause = errno;
-        const auto end = ::lseek(descriptor_, 0, SEEK_END);
-        if (part > 0 && end >= 0 && ::ftruncate(descriptor_, end - static_cast<off_t>(part)) != 0) fail("cut back to whole lines");
-        errno = cause;
-    }
-    [[noreturn]] void fail(const char* action) const {
-        throw FileError(path_ + " cannot be " + action + ": " + std::generic_category().message(errno));
-    }
-
-    std::string path_;
-    int descriptor_;
-};
-
 History::History(const std::filesystem::path& path, const parallel::Communicator& comm) : comm_(&comm) {
     Agreement agreement(comm);
     agreement.attempt_on_root([&] {
-        file_ = std::make_unique<File>(path.string());
-        file_->append(history_header());
+        file_ = std::make_unique<NewFile>(path);
+        append(history_header());
     });
     agreement.settle<FileError>();
 }
@@ -137,8 +94,28 @@ void History::write(const HistoryRow& row) {
     Agreement agreement(*comm_);
     agreement.attempt_on_root([&] { line = history_line(row); });
     agreement.settle<NotFinite>();
-    agreement.attempt_on_root([&] { file_->append(line); });
+    agreement.attempt_on_root([&] { append(line); });
     agreement.settle<FileError>();
+}
+
+void History::publish() {
+    Agreement agreement(*comm_);
+    agreement.attempt_on_root([&] { file_->publish(); });
+    agreement.settle<FileError>();
+}
+
+void History::require_in_place() const {
+    Agreement agreement(*comm_);
+    agreement.attempt_on_root([&] { file_->require_in_place(); });
+    agreement.settle<FileError>();
+}
+
+std::string History::hash() const { return sha256_.hex(); }
+
+void History::append(std::string line) {
+    line += '\n';
+    file_->append(line);
+    sha256_.add(line);
 }
 
 }  // namespace weavefront::io

@@ -1,7 +1,8 @@
 #include "weavefront/io/log.hpp"
 
+#include <spdlog/details/null_mutex.h>
 #include <spdlog/logger.h>
-#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 
 #include "agreement.hpp"
 #include "weavefront/io/file_error.hpp"
+#include "weavefront/io/new_file.hpp"
 
 namespace weavefront::io {
 
@@ -26,6 +28,34 @@ bool on_terminal() {
     return unknown || shown.starts_with("/dev/pts/") || shown.starts_with("/dev/tty");
 }
 
+/// run.log. A line that it cannot take, on a full disk, is told to standard error and counted; the run goes on.
+class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+  public:
+    explicit FileSink(const std::filesystem::path& path) : file_(path) {}
+    ~FileSink() override {
+        if (lost_ > 1) std::fprintf(stderr, "warning: run.log lacks %d lines\n", lost_);
+    }
+    FileSink(const FileSink&) = delete;
+    FileSink& operator=(const FileSink&) = delete;
+
+    void publish() { file_.publish(); }
+
+  private:
+    void sink_it_(const spdlog::details::log_msg& message) override {
+        spdlog::memory_buf_t line;
+        formatter_->format(message, line);
+        try {
+            file_.append({line.data(), line.size()});
+        } catch (const FileError& failure) {
+            if (++lost_ == 1) std::fprintf(stderr, "warning: a line of the log is lost: %s\n", failure.what());
+        }
+    }
+    void flush_() override {}
+
+    NewFile file_;
+    int lost_ = 0;
+};
+
 }  // namespace
 
 class Log::Sinks {
@@ -37,8 +67,8 @@ class Log::Sinks {
             error_.sinks().push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
         }
         if (!directory.empty()) {
-            constexpr bool truncate = true;
-            file_.sinks().push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>((directory / "run.log").string(), truncate));
+            in_file_ = std::make_shared<FileSink>(directory / "run.log");
+            file_.sinks().push_back(in_file_);
         }
         // A time on every line would hide the text, and no two runs would agree.
         for (auto* logger : {&out_, &error_, &file_}) {
@@ -57,6 +87,9 @@ class Log::Sinks {
         file_.info(marked);
     }
     void record(std::string_view line) { file_.info(line); }
+    void publish() {
+        if (in_file_) in_file_->publish();
+    }
 
     [[nodiscard]] bool interactive() const { return interactive_; }
 
@@ -88,10 +121,11 @@ class Log::Sinks {
 
     bool interactive_;
     std::string drawn_;
+    std::shared_ptr<FileSink> in_file_;  // none: terminal only
     spdlog::logger out_, error_, file_;
 };
 
-Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm, Terminal terminal) {
+Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm, Terminal terminal) : comm_(&comm) {
     Agreement agreement(comm);
     agreement.attempt_on_root([&] { sinks_ = std::make_unique<Sinks>(directory, terminal); });
     agreement.settle<FileError>();
@@ -100,6 +134,12 @@ Log::Log(const std::filesystem::path& directory, const parallel::Communicator& c
 Log::~Log() = default;
 Log::Log(Log&&) noexcept = default;
 Log& Log::operator=(Log&&) noexcept = default;
+
+void Log::publish() {
+    Agreement agreement(*comm_);
+    agreement.attempt_on_root([&] { sinks_->publish(); });
+    agreement.settle<FileError>();
+}
 
 void Log::info(std::string_view line) {
     if (sinks_) sinks_->info(line);

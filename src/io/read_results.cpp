@@ -1,6 +1,7 @@
 #include "weavefront/io/read_results.hpp"
 
 #include "hdf5_handle.hpp"
+#include "weavefront/io/file_error.hpp"
 
 namespace weavefront::io {
 
@@ -59,6 +60,15 @@ class ResultsReader::File {
 ResultsReader::ResultsReader(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {}
 
 ResultsReader::~ResultsReader() = default;
+
+bool is_results_file(const std::filesystem::path& path) {
+    try {
+        const ResultsReader reader(path);
+        return true;
+    } catch (const FileError&) {
+        return false;
+    }
+}
 
 const std::vector<double>& ResultsReader::times() const { return file_->times(); }
 

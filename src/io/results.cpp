@@ -1,23 +1,24 @@
 #include "weavefront/io/results.hpp"
 
-#include <fmt/format.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "agreement.hpp"
+#include "disk_space.hpp"
 #include "frame_checks.hpp"
 #include "frame_publisher.hpp"
 #include "hdf5_collective.hpp"
+#include "results_copy.hpp"
 #include "results_skeleton.hpp"
 #include "results_topology.hpp"
 #include "weavefront/io/block_exchange.hpp"
 #include "weavefront/io/file_error.hpp"
+#include "weavefront/io/new_file.hpp"
 
 namespace weavefront::io {
 
@@ -37,49 +38,79 @@ std::vector<To> converted(const From& values) {
     return result;
 }
 
+/// What all ranks write to together.
+struct OpenArrays {
+    H5File file;
+    H5Dataset points, hidden;
+    std::vector<H5Dataset> point_data, cell_data;
+
+    /// @note Collective
+    OpenArrays(const std::string& path, const Frame& layout, const parallel::Communicator& comm) : file(open_by_all(path, comm)) {
+        const auto dataset = [&](const std::string& name) {
+            return H5Dataset(checked(H5Dopen2(file.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT), "opening " + path + ": " + name));
+        };
+        points = dataset("Points");
+        for (const auto& array : layout.point_data) point_data.push_back(dataset("PointData/" + array.name));
+        for (const auto& array : layout.cell_data) cell_data.push_back(dataset("CellData/" + array.name));
+        hidden = dataset(std::string("CellData/") + hidden_name);
+    }
+};
+
 }  // namespace
 
-/// The open file.
+/// The file, under its temporary name until it is published.
 class Results::File {
   public:
     File(const ResultsSetup& setup, const parallel::Communicator& comm)
-        : comm_(comm),
+        : exceptions_(std::uncaught_exceptions()),
+          comm_(comm),
+          setup_(without_values(setup)),
           path_(setup.path.string()),
           sizes_(setup),
-          surface_(setup.surface),
-          layout_{.time = 0,
-                  .points = {},
-                  .point_data = shapes(setup.layout.point_data),
-                  .cell_data = shapes(setup.layout.cell_data),
-                  .eroded = {}},
-          max_frames_(setup.max_frames),
           nodes_(comm, setup.topology.nodes, setup.topology.owned_nodes),
           elements_(comm, setup.topology.elements, setup.topology.owned_elements) {
         const QuietHdf5 quiet;
-        const std::string unfinished = path_ + ".new";
+        const std::string unfinished = temporary_name(path_).string();
         Agreement agreement(comm_);
         agreement.attempt_on_root([&] {
-            require_space(setup);
+            require_regular_or_missing(path_);
+            require_space(setup, taken_by(path_));
             create_results_skeleton(unfinished, setup);
+            is_unfinished_there_ = true;
         });
         agreement.settle<FileError>();
         agreement.attempt([&] { write_topology(unfinished, setup, elements_, comm_); });
-        agreement.settle<FileError>();
-        agreement.attempt_on_root([&] { std::filesystem::rename(unfinished, path_); });
-        agreement.settle<FileError>();
-        agreement.attempt([&] { open(); });
-        agreement.settle<FileError>();
-        agreement.attempt_on_root([&] { publisher_.emplace(path_); });
+        settle_creation(agreement);
+        open(unfinished);
+    }
+
+    ~File() {
+        remove_unfinished();
+        // Closing is for all ranks, and the others may not get here.
+        if (std::uncaught_exceptions() > exceptions_) (void)arrays_.release();
+    }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+
+    void publish() {
+        Agreement agreement(comm_);
+        agreement.attempt_on_root([&] {
+            publish_file(path_);
+            is_unfinished_there_ = false;
+        });
         agreement.settle<FileError>();
     }
 
     void write(const Frame& frame) {
         const QuietHdf5 quiet;
         Agreement agreement(comm_);
-        agreement.attempt([&] { require_layout(frame); });
+        agreement.attempt([&] { require_layout(frame, setup_.layout, nodes_.owned(), elements_.owned()); });
         agreement.settle<std::logic_error>();
         agreement.attempt([&] { require_finite(frame, path_); });
         agreement.settle<NotFinite>();
+        agreement.attempt_on_root([&] { publisher_->require_in_place(path_); });
+        agreement.settle<FileError>();
+        if (frames_ == setup_.max_frames) change_room(frames_ + std::max<std::int64_t>(frames_ / 2, 1));
         write_arrays(frame, agreement);
         if (comm_.any(Clock::now() - synced_ > between_syncs)) {
             agreement.attempt([&] { sync(); });
@@ -91,87 +122,105 @@ class Results::File {
         ++frames_;
     }
 
+    void cut() {
+        if (frames_ == setup_.max_frames) return;
+        const QuietHdf5 quiet;
+        change_room(std::max<std::int64_t>(frames_, 1));
+    }
+
     void redistribute(const Topology& topology) {
         nodes_ = BlockExchange(comm_, topology.nodes, topology.owned_nodes);
         elements_ = BlockExchange(comm_, topology.elements, topology.owned_elements);
     }
 
     [[nodiscard]] std::int64_t frames() const { return frames_; }
-
-    /// What to add to a failure; empty: the disk has room.
-    [[nodiscard]] std::string fullness() const {
-        std::error_code unknown;
-        const auto disk = std::filesystem::space(path_, unknown);
-        constexpr std::uintmax_t hardly_any = 1 << 20;
-        return !unknown && disk.available < hardly_any ? ": No space left on device" : "";
-    }
+    [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] double bytes() const { return results_bytes(setup_, frames_); }
 
   private:
-    static std::vector<Array> shapes(std::vector<Array> arrays) {
-        for (auto& array : arrays) array.values = std::vector<double>();  // gives its memory back
-        return arrays;
+    /// What is needed of a setup to make the structure anew.
+    static ResultsSetup without_values(ResultsSetup setup) {
+        setup.topology = {setup.topology.nodes, setup.topology.elements, {}, {}, {}, {}};
+        for (auto* arrays : {&setup.layout.point_data, &setup.layout.cell_data})
+            for (auto& array : *arrays) array.values = std::vector<double>();  // gives its memory back
+        setup.layout.points = {};
+        setup.layout.eroded = {};
+        return setup;
     }
 
-    /// HDF5 does not survive a disk that is full at the wrong moment, and nobody wants to learn of it at the end of a run.
-    static void require_space(const ResultsSetup& setup) {
-        constexpr double of_other_files = 1e6;  // history, log and summary
-        const auto folder = std::filesystem::absolute(setup.path).parent_path();
-        std::error_code unknown;  // then creating the file tells why
-        const auto disk = std::filesystem::space(folder, unknown);
-        if (unknown) return;
-        const auto left = static_cast<double>(disk.available) + taken_by(setup.path);
-        const double needed = results_bytes(setup) + of_other_files;
-        if (needed > left)
-            throw FileError(
-                fmt::format("{} may grow to {:.4g} GB with its {} frames, but only {:.4g} GB are free there: write fewer frames "
-                            "(output.interval) or fields (output.fields), or to another disk (--output)",
-                            setup.path.string(), needed / 1e9, setup.max_frames, left / 1e9));
+    void settle_creation(Agreement& agreement) {
+        try {
+            agreement.settle<FileError>();
+        } catch (...) {
+            remove_unfinished();  // no destructor will
+            throw;
+        }
     }
 
-    /// What the disk gets back when a file is replaced, bytes: results are sparse until they are written.
-    static double taken_by(const std::filesystem::path& path) {
-        struct stat found {};
-        constexpr double of_block = 512;
-        return ::stat(path.c_str(), &found) == 0 ? of_block * static_cast<double>(found.st_blocks) : 0.0;
+    void remove_unfinished() {
+        if (!std::exchange(is_unfinished_there_, false)) return;
+        std::error_code ignored;
+        std::filesystem::remove(temporary_name(path_), ignored);
+    }
+
+    void open(const std::string& path) {
+        Agreement agreement(comm_);
+        agreement.attempt([&] { arrays_ = std::make_unique<OpenArrays>(path, setup_.layout, comm_); });
+        settle_creation(agreement);
+        agreement.attempt_on_root([&] { publisher_.emplace(path); });
+        settle_creation(agreement);
+    }
+
+    /// Puts a file with room for another number of frames in the place of this one, as a whole: space between arrays cannot be inserted or
+    /// taken out. Whoever reads finds one of them at any moment.
+    void change_room(std::int64_t frames) {
+        arrays_.reset();
+        publisher_.reset();
+        Agreement agreement(comm_);
+        agreement.settle<FileError>();  // all have closed it
+        auto setup = setup_;
+        setup.max_frames = frames;
+        const std::string unfinished = temporary_name(path_).string();
+        agreement.attempt_on_root([&] {
+            require_space(setup, 0);
+            create_results_skeleton(unfinished, setup);
+            is_unfinished_there_ = true;
+            copy_results(path_, unfinished, setup, frames_);
+        });
+        bool is_copied = false;
+        try {
+            agreement.settle<FileError>();
+            publish();
+            is_copied = true;
+        } catch (const FileError&) {
+            remove_unfinished();
+            if (frames > frames_) throw;
+        }
+        if (is_copied) setup_.max_frames = frames;
+        open(path_);
     }
 
     [[nodiscard]] std::string doing(const std::string& name) const { return "writing " + path_ + ": " + name; }
-
-    void open() {
-        file_ = open_by_all(path_, comm_);
-        const auto dataset = [&](const std::string& name) {
-            return H5Dataset(checked(H5Dopen2(file_.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT), "opening " + path_ + ": " + name));
-        };
-        points_ = dataset("Points");
-        for (const auto& array : layout_.point_data) point_data_.push_back(dataset("PointData/" + array.name));
-        for (const auto& array : layout_.cell_data) cell_data_.push_back(dataset("CellData/" + array.name));
-        hidden_ = dataset(std::string("CellData/") + hidden_name);
-    }
-
-    void require_layout(const Frame& frame) const {
-        if (frames_ == max_frames_) throw std::logic_error(path_ + " has no room for more than " + std::to_string(max_frames_) + " frames");
-        io::require_layout(frame, layout_, nodes_.owned(), elements_.owned());
-    }
 
     void write_arrays(const Frame& frame, Agreement& agreement) const {
         const auto first_point = frames_ * sizes_.all_points() + nodes_.first();
         const auto first_cell = frames_ * sizes_.all_cells() + elements_.first();
         std::vector<double> surface;
-        for (const auto& point : surface_.points)
+        for (const auto& point : setup_.surface.points)
             for (std::size_t i = 0; i < 3; ++i) surface.push_back(point[i] + frame.projectile[i]);
         const auto points = with_rows_of_last_rank(comm_, nodes_.to_block<double>(frame.points, 3), surface);
-        agreement.attempt([&] { write_rows<double>(points_, first_point, points, doing("Points")); });
+        agreement.attempt([&] { write_rows<double>(arrays_->points, first_point, points, doing("Points")); });
 
-        for (std::size_t i = 0; i < point_data_.size(); ++i)
-            write_array(point_data_[i], frame.point_data[i], nodes_, first_point, surface_.points.size(), agreement);
-        for (std::size_t i = 0; i < cell_data_.size(); ++i)
-            write_array(cell_data_[i], frame.cell_data[i], elements_, first_cell, surface_.quads.size(), agreement);
+        for (std::size_t i = 0; i < arrays_->point_data.size(); ++i)
+            write_array(arrays_->point_data[i], frame.point_data[i], nodes_, first_point, setup_.surface.points.size(), agreement);
+        for (std::size_t i = 0; i < arrays_->cell_data.size(); ++i)
+            write_array(arrays_->cell_data[i], frame.cell_data[i], elements_, first_cell, setup_.surface.quads.size(), agreement);
 
         auto hidden = converted<std::uint8_t>(frame.eroded);
         for (auto& value : hidden) value = value != 0 ? vtk_hidden_cell : std::uint8_t{0};
-        const auto shown = std::vector<std::uint8_t>(surface_.quads.size(), 0);
+        const auto shown = std::vector<std::uint8_t>(setup_.surface.quads.size(), 0);
         const auto values = with_rows_of_last_rank(comm_, elements_.to_block<std::uint8_t>(hidden), shown);
-        agreement.attempt([&] { write_rows<std::uint8_t>(hidden_, first_cell, values, doing(hidden_name)); });
+        agreement.attempt([&] { write_rows<std::uint8_t>(arrays_->hidden, first_cell, values, doing(hidden_name)); });
     }
 
     void write_array(const H5Dataset& dataset, const Array& array, const BlockExchange& exchange, std::int64_t first,
@@ -190,19 +239,17 @@ class Results::File {
     }
 
     // The arrays are written as they are handed over, and metadata do not change: all that is left to flush is the operating system.
-    void sync() const { checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "writing " + path_); }
+    void sync() const { checked(H5Fflush(arrays_->file.get(), H5F_SCOPE_GLOBAL), "writing " + path_); }
 
+    int exceptions_;  // under way when this was made
     const parallel::Communicator& comm_;
+    ResultsSetup setup_;
     std::string path_;
     PartSizes sizes_;
-    Surface surface_;
-    Frame layout_;
-    std::int64_t max_frames_;
+    bool is_unfinished_there_ = false;  // on the first rank
     std::int64_t frames_ = 0;
     BlockExchange nodes_, elements_;
-    H5File file_;
-    H5Dataset points_, hidden_;
-    std::vector<H5Dataset> point_data_, cell_data_;
+    std::unique_ptr<OpenArrays> arrays_;
     std::optional<FramePublisher> publisher_;  // on the first rank
     Clock::time_point synced_ = Clock::now();
 };
@@ -216,12 +263,19 @@ void Results::write(const Frame& frame) {
     try {
         file_->write(frame);
     } catch (const FileError& failure) {
-        throw FileError(failure.what() + file_->fullness());  // of which MPI-IO says nothing
+        // of which MPI-IO says nothing
+        throw FileError(std::string(failure.what()) + (is_disk_full(file_->path()) ? ": No space left on device" : ""));
     }
 }
+
+void Results::publish() { file_->publish(); }
+
+void Results::cut() { file_->cut(); }
 
 void Results::redistribute(const Topology& topology) { file_->redistribute(topology); }
 
 std::int64_t Results::frames() const { return file_->frames(); }
+
+double Results::bytes() const { return file_->bytes(); }
 
 }  // namespace weavefront::io

@@ -100,7 +100,7 @@ std::int64_t PartSizes::all_points() const { return std::reduce(points.begin(), 
 
 std::int64_t PartSizes::all_cells() const { return std::reduce(cells.begin(), cells.end()); }
 
-double results_bytes(const ResultsSetup& setup) {
+double results_bytes(const ResultsSetup& setup, std::int64_t frames) {
     const PartSizes sizes(setup);
     const auto of_arrays = [](const std::vector<Array>& arrays) {
         double bytes = 0;
@@ -113,12 +113,12 @@ double results_bytes(const ResultsSetup& setup) {
     const auto points = static_cast<double>(sizes.all_points()), cells = static_cast<double>(sizes.all_cells());
     const double frame =
         points * (of_point + of_arrays(setup.layout.point_data)) + cells * (of_cell_in_frame + of_arrays(setup.layout.cell_data));
-    return static_cast<double>(setup.max_frames) * frame + cells * of_cell;
+    return static_cast<double>(frames) * frame + cells * of_cell;
 }
 
 void create_results_skeleton(const std::string& path, const ResultsSetup& setup) {
     const H5Properties creation = creation_properties(H5P_FILE_CREATE, path);
-    H5File file(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), unlocked_access(path).get()), "creating " + path));
+    H5File file(checked(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), unlocked_access(path).get()), "creating " + path));
     Skeleton(path, file.get(), setup).create();
 
     const GroupWriter root = GroupWriter::root(path, file.get());

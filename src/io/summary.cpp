@@ -53,7 +53,8 @@ Json to_json(const Summary& summary) {
             {"broken_yarns", summary.broken_yarns},
             {"eroded_elements", summary.eroded_elements},
             {"first_break", first_break},
-            {"left_out", summary.left_out}};
+            {"left_out", summary.left_out},
+            {"history_sha256", summary.history_sha256}};
 }
 
 // JSON has no infinities: the library would write null, which reads as "does not apply".
@@ -73,7 +74,8 @@ void write_summary(const std::filesystem::path& path, const Summary& summary, co
         require_finite(json, "summary");
     });
     agreement.settle<NotFinite>();
-    agreement.attempt_on_root([&] { replace_file(path, json.dump(2) + "\n"); });
+    // Text that is not UTF-8, as a path may be, is written with the character that stands for what it is not.
+    agreement.attempt_on_root([&] { replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); });
     agreement.settle<FileError>();
 }
 

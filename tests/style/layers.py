@@ -17,6 +17,7 @@ LIBRARIES = {  # header, or folder of headers: target
     "Eigen": "Eigen3::Eigen",
     "fmt": "fmt::fmt",
     "nlohmann": "nlohmann_json::nlohmann_json",
+    "openssl": "OpenSSL::Crypto",
     "spdlog": "spdlog::spdlog",
     "yaml-cpp": "yaml-cpp",
 }

@@ -6,7 +6,9 @@
 #include <memory>
 #include <string>
 
+#include "weavefront/io/new_file.hpp"
 #include "weavefront/io/rows.hpp"
+#include "weavefront/io/sha256.hpp"
 #include "weavefront/parallel/communicator.hpp"
 
 namespace weavefront::io {
@@ -22,7 +24,7 @@ std::string history_line(const HistoryRow& row);
 /// complete rows.
 class History {
   public:
-    /// Starts the file with its header, replacing one that exists.
+    /// Starts the file with its header, under its temporary name.
     /// @param path  of the file
     /// @param comm  ranks of the run; must outlive this object
     /// @throws FileError on all ranks
@@ -32,15 +34,26 @@ class History {
     History(History&&) noexcept;
     History& operator=(History&&) noexcept;
 
+    /// Gives the file its name, in place of one that exists. @throws FileError on all ranks @note Collective
+    void publish();
+
     /// Appends a row.
     /// @param row  read on rank 0
     /// @throws NotFinite, FileError on all ranks; nothing of a row that is not finite is written
     /// @note Collective
     void write(const HistoryRow& row);
 
+    /// @throws FileError on all ranks when the published file was moved or removed @note Collective
+    void require_in_place() const;
+
+    /// SHA-256 of the header and the rows, 64 hex digits; on rank 0.
+    [[nodiscard]] std::string hash() const;
+
   private:
-    class File;
-    std::unique_ptr<File> file_;
+    void append(std::string line);
+
+    std::unique_ptr<NewFile> file_;  // on rank 0
+    Sha256 sha256_;
     const parallel::Communicator* comm_;
 };
 

@@ -18,7 +18,8 @@ enum class Terminal { shown, silent };
 /// redrawn in place; whole lines appear above it.
 class Log {
   public:
-    /// @param directory  where run.log goes, replaced; empty: terminal only
+    /// @param directory  where run.log goes, under its temporary name; empty: terminal only
+    /// @param comm       must outlive this object
     /// @param terminal   silent: run.log only
     /// @throws FileError on all ranks when run.log cannot be created
     /// @note Collective
@@ -26,6 +27,9 @@ class Log {
     ~Log();
     Log(Log&&) noexcept;
     Log& operator=(Log&&) noexcept;
+
+    /// Gives run.log its name, in place of one that exists. @throws FileError on all ranks @note Collective
+    void publish();
 
     /// A line to standard output and run.log.
     void info(std::string_view line);
@@ -44,6 +48,7 @@ class Log {
   private:
     class Sinks;
     std::unique_ptr<Sinks> sinks_;  // null on the other ranks
+    const parallel::Communicator* comm_;
 };
 
 }  // namespace weavefront::io

@@ -3,31 +3,52 @@
 /// The directory a run writes to.
 
 #include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "weavefront/parallel/communicator.hpp"
 
 namespace weavefront::io {
 
-/// Keeps a directory to one run for as long as it lives, where the file system knows locks.
+class RunLock;
+
+/// What is done with files of before.
+enum class Earlier {
+    refused,   ///< of a run: there must be none
+    replaced,  ///< of a run: they stay until `clear`
+    kept,      ///< of a study, which goes on from them; those of a run are refused
+};
+
+/// Keeps a directory to one run, or one study, for as long as it lives.
 class OutputDirectory {
   public:
-    /// Creates the directory with its parents where it does not exist yet, makes sure that it can be written to, and removes the
-    /// summary of an earlier run: whoever finds one finds that of a run that has ended.
+    /// Creates the directory with its parents where it does not exist yet and makes sure that it can be written to. Files of before are not
+    /// touched; temporary ones that a killed run has left are removed, but for `refused`.
     /// @param path  the same on all ranks
-    /// @param comm  ranks of the run
-    /// @throws FileError on all ranks when rank 0 cannot create it, must not write to it or finds another run there
+    /// @param comm  ranks of the run; must outlive this object
+    /// @throws scene::InputError on all ranks, naming them, when there are files of an earlier run that are refused; FileError when rank 0
+    /// cannot create the directory, must not write to it, finds another run there, or anything but a regular file in the place of one of
+    /// its own
     /// @note Collective
-    OutputDirectory(const std::filesystem::path& path, const parallel::Communicator& comm);
+    OutputDirectory(const std::filesystem::path& path, const parallel::Communicator& comm, Earlier earlier = Earlier::refused);
+    /// Removes the directory again where it was created and nothing was written to it.
     ~OutputDirectory();
     OutputDirectory(const OutputDirectory&) = delete;
     OutputDirectory& operator=(const OutputDirectory&) = delete;
 
-    /// Whether an earlier run had ended there; on rank 0.
-    [[nodiscard]] bool replaces() const { return replaces_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    /// Removes what an earlier run has left, for a new one that is certain to start. @throws FileError on all ranks
+    /// @return names of what was there, on rank 0
+    /// @note Collective
+    std::vector<std::string> clear();
 
   private:
-    int lock_ = -1;  // descriptor of the directory, on rank 0
-    bool replaces_ = false;
+    std::filesystem::path path_;
+    const parallel::Communicator& comm_;
+    bool is_created_ = false;
+    std::unique_ptr<RunLock> lock_;  // on rank 0
 };
 
 }  // namespace weavefront::io

@@ -34,4 +34,7 @@ class ResultsReader {
     std::unique_ptr<File> file_;
 };
 
+/// Whether a file can be read as results; one that was cut cannot.
+bool is_results_file(const std::filesystem::path& path);
+
 }  // namespace weavefront::io

@@ -18,38 +18,47 @@ struct ResultsSetup {
     Topology topology;
     Surface surface;
     Frame layout;             ///< fixes the arrays of all frames: names, components, kinds; its values are not read
-    std::int64_t max_frames;  ///< frames there is room for
+    std::int64_t max_frames;  ///< frames to make room for; more room is made where it does not last
     std::string scene;        ///< the resolved scene
     std::string version;      ///< of Weavefront
 };
 
 /// The results file, in global order whatever the rank count. It can be read while the run writes it and after the run was killed at any
 /// moment: its structure is settled before it takes its name, frames only fill space that is there, and the number of frames is raised when
-/// a frame is complete.
+/// a frame is complete. A file with more room, or less, takes the place of the one before as a whole.
 class Results {
   public:
-    /// Creates the file, replacing one that exists.
+    /// Creates the file under its temporary name.
     /// @param setup  what is constant
     /// @param comm   ranks of the run; must outlive this object
-    /// @throws FileError on all ranks when the file cannot be created or written; std::logic_error when the ids of the topology are no
-    /// partition
+    /// @throws FileError on all ranks when the disk cannot hold the file, or it cannot be created or written; std::logic_error when the ids
+    /// of the topology are no partition
     /// @note Collective
     Results(const ResultsSetup& setup, const parallel::Communicator& comm);
     ~Results();
     Results(Results&&) noexcept;
     Results& operator=(Results&&) noexcept;
 
-    /// Appends a frame; on return it is on disk and readable.
+    /// Gives the file its name, in place of one that exists. @throws FileError on all ranks @note Collective
+    void publish();
+
+    /// Appends a frame to the published file; on return it is on disk and readable.
     /// @param frame  state of the owned nodes and elements; arrays as in ResultsSetup::layout
-    /// @throws NotFinite, FileError on all ranks; std::logic_error when the arrays are not those of the layout or the file is full
+    /// @throws NotFinite, FileError on all ranks, also when the file was moved or removed; std::logic_error when the arrays are not those
+    /// of the layout
     /// @note Collective
     void write(const Frame& frame);
+
+    /// Gives room back that no frame has filled, where the disk can hold the shorter file beside the longer one. @note Collective
+    void cut();
 
     /// From now on frames come from ranks that own other nodes and elements. @note Collective
     void redistribute(const Topology& topology);
 
     /// Frames written so far.
     [[nodiscard]] std::int64_t frames() const;
+    /// What the file takes with these, bytes.
+    [[nodiscard]] double bytes() const;
 
   private:
     class File;

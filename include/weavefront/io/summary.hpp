@@ -36,7 +36,7 @@ struct ShotOutcome {
 
 /// Outcome of a run; the keys of the file are the names of the members. SI units.
 struct Summary {
-    std::string status;                           ///< finished or stopped
+    std::string status;                           ///< finished, stopped or interrupted
     std::string reason;                           ///< why it ended
     std::map<std::string, std::string> versions;  ///< of Weavefront and the libraries
     std::string scene_hash;
@@ -58,6 +58,7 @@ struct Summary {
     std::int64_t eroded_elements = 0;                ///< whole target
     std::vector<std::optional<double>> first_break;  ///< time at which the first yarn of each ply broke, s; null: all whole
     std::vector<std::string> left_out;               ///< what the scene does not ask for
+    std::string history_sha256;                      ///< of history.csv, 64 hex digits
 };
 
 /// Writes the summary as a whole or not at all: under a temporary name first, then renamed.

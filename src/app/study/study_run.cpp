@@ -8,10 +8,12 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "commands.hpp"
 #include "hand_out.hpp"
+#include "signals.hpp"
 #include "variant_run.hpp"
-#include "weavefront/io/output_directory.hpp"
 #include "weavefront/io/progress.hpp"
+#include "weavefront/parallel/failure.hpp"
 #include "weavefront/parallel/on_root.hpp"
 
 namespace weavefront::app {
@@ -41,7 +43,7 @@ class StudyRun {
         choose_pending();
         const study::RankPlan plan = study::plan_ranks(jobs_, comm_.size());
         say(plan);
-        for (std::size_t i = 0; i < plan.together; ++i) compute_together(plan.order[i]);
+        for (std::size_t i = 0; i < plan.together && !comm_.any(noted_signal() != 0); ++i) compute_together(plan.order[i]);
         compute_side_by_side(plan);
         raise_failure();
     }
@@ -87,7 +89,9 @@ class StudyRun {
         const parallel::Communicator group = split(comm_, study::group_of(comm_.rank(), comm_.size(), plan.groups));
         for (;;) {
             std::vector<std::int32_t> next(1);
-            if (group.rank() == 0) next[0] = static_cast<std::int32_t>(std::min<std::int64_t>(hand_out_.next(), std::ssize(pending_)));
+            const bool goes_on = !group.any(noted_signal() != 0);
+            if (group.rank() == 0)
+                next[0] = goes_on ? static_cast<std::int32_t>(std::min<std::int64_t>(hand_out_.next(), std::ssize(pending_))) : -1;
             group.broadcast(next);
             if (next[0] < 0 || static_cast<std::size_t>(next[0]) >= rest) return;
             const std::size_t job = plan.order[plan.together + static_cast<std::size_t>(next[0])];
@@ -100,12 +104,16 @@ class StudyRun {
     void compute(std::size_t job, const parallel::Communicator& group) {
         const std::size_t entry = pending_[job];
         const Clock::time_point begin = Clock::now();
+        std::string failure;
         try {
-            const io::OutputDirectory kept(folder_of(entry), group);
             compute_variant(study_.compute, entries_[entry].input, folder_of(entry), group);
-        } catch (const std::exception& error) {  // thrown alike on all ranks of the group; the other groups go on
-            if (failure_.empty()) failure_ = entries_[entry].variant.name + ": " + error.what();
+        } catch (const Interrupted&) {
+            return;
+        } catch (const std::exception& error) {
+            failure = entries_[entry].variant.name + ": " + parallel::text_of(error);
         }
+        parallel::meet(group, failure);  // all ranks of the group fail alike, or else end; the other groups go on
+        if (failure_.empty()) failure_ = failure;
         if (group.rank() == 0) tell(job, seconds_since(begin));
     }
 
@@ -123,14 +131,11 @@ class StudyRun {
     }
 
     void raise_failure() {
-        for (int rank = 0; rank < comm_.size(); ++rank) {
-            std::int64_t length = static_cast<std::int64_t>(failure_.size());
-            parallel::check(MPI_Bcast(&length, 1, MPI_INT64_T, rank, comm_.get()));
-            if (length == 0) continue;
-            failure_.resize(static_cast<std::size_t>(length));
-            parallel::check(MPI_Bcast(failure_.data(), static_cast<int>(length), MPI_CHAR, rank, comm_.get()));
-            throw std::runtime_error(failure_);
-        }
+        if (const int signal = static_cast<int>(comm_.max(noted_signal())); signal != 0)
+            throw Interrupted(
+                fmt::format("{} received: computed variants are kept, the same command goes on from them", name_of_signal(signal)));
+        const auto failure = parallel::first_failure(comm_, failure_);
+        if (!failure.empty()) throw std::runtime_error(failure);
     }
 
     const scene::Study& study_;

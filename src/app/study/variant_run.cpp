@@ -10,6 +10,9 @@
 #include "impact.hpp"
 #include "test_curves.hpp"
 #include "versions.hpp"
+#include "weavefront/io/output_directory.hpp"
+#include "weavefront/io/read_results.hpp"
+#include "weavefront/io/sha256.hpp"
 #include "weavefront/io/summary.hpp"
 #include "weavefront/mesh/panel.hpp"
 
@@ -22,10 +25,10 @@ double element_steps(const scene::Scene& scene) {
     return elements * scene.time.end / (scene.time.safety * scene.target->mesh.center);  // steps in proportion to end over size
 }
 
-void write_curve(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& folder,
-                 const parallel::Communicator& comm) {
+void write_curve(scene::Compute compute, const scene::Case& variant, io::OutputDirectory& folder, const parallel::Communicator& comm) {
     const TestCurve curve = compute == scene::Compute::yarn ? yarn_curve(variant) : cell_curve(variant);
-    curve.table.write(folder / "history.csv");
+    folder.clear();
+    curve.table.write(folder.path() / "history.csv");
     io::Summary summary;
     summary.status = "finished";
     summary.reason = "end of the path reached";
@@ -35,7 +38,8 @@ void write_curve(scene::Compute compute, const scene::Case& variant, const std::
     summary.elements = summary.nodes = 1;
     summary.steps = summary.element_steps = curve.steps;
     summary.nanoseconds_per_element_step = curve.seconds * 1e9 / static_cast<double>(curve.steps);
-    io::write_summary(folder / "summary.json", summary, comm);
+    summary.history_sha256 = io::sha256_of(curve.table.text());
+    io::write_summary(folder.path() / "summary.json", summary, comm);
 }
 
 }  // namespace
@@ -46,27 +50,31 @@ study::Job job_of(scene::Compute compute, const scene::Case& variant) {
     return {element_steps(variant.scene), columns_of(variant.scene)};
 }
 
-void compute_variant(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& folder,
+void compute_variant(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& path,
                      const parallel::Communicator& comm) {
+    io::OutputDirectory folder(path, comm, io::Earlier::replaced);
     if (compute != scene::Compute::impact) return write_curve(compute, variant, folder, comm);
     try {
         // Of a variant that the guard stops summary.json says so.
-        static_cast<void>(Impact(variant.scene, folder, comm, io::Terminal::silent).to_the_end());
+        const auto ending = Impact(variant.scene, folder, comm, io::Terminal::silent).to_the_end();
+        if (ending.kind == Ending::Kind::interrupted) throw Interrupted(ending.reason);
     } catch (const GuardStop&) {
         return;  // before its first step
     }
 }
 
 bool is_computed(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& folder) {
-    for (const char* file : {"history.csv", "results.vtkhdf"})
-        if (compute == scene::Compute::impact && !std::filesystem::exists(folder / file)) return false;
     std::ifstream file(folder / "summary.json");
     const auto summary = nlohmann::json::parse(file, nullptr, false);
     const auto says = [](const nlohmann::json& part, const char* key, const std::string& text) {
         return part.is_object() && part.contains(key) && part[key] == text;
     };
-    return says(summary, "scene_hash", variant.hash) && summary.contains("versions") &&
-           says(summary["versions"], "weavefront", WEAVEFRONT_VERSION);
+    if (!says(summary, "scene_hash", variant.hash) || says(summary, "status", "interrupted")) return false;
+    if (!summary.contains("versions") || !says(summary["versions"], "weavefront", WEAVEFRONT_VERSION)) return false;
+    // What was cut or changed since has another checksum; of results it would take too long to compute, but a cut file does not open.
+    const auto history = io::sha256_of_file(folder / "history.csv");
+    if (history.empty() || !says(summary, "history_sha256", history)) return false;
+    return compute != scene::Compute::impact || io::is_results_file(folder / "results.vtkhdf");
 }
 
 }  // namespace weavefront::app

@@ -1,0 +1,41 @@
+#include "disk_space.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <system_error>
+
+#include "results_skeleton.hpp"
+#include "weavefront/io/file_error.hpp"
+
+namespace weavefront::io {
+
+void require_space(const ResultsSetup& setup, double bytes) {
+    constexpr double of_other_files = 1e6;  // history, log and summary
+    std::error_code unknown;                // then creating the file tells why
+    const auto folder = std::filesystem::absolute(setup.path, unknown).parent_path();
+    const auto disk = std::filesystem::space(folder, unknown);
+    if (unknown) return;
+    const auto left = static_cast<double>(disk.available) + bytes;
+    const double needed = results_bytes(setup, setup.max_frames) + of_other_files;
+    if (needed > left)
+        throw FileError(
+            fmt::format("{} may grow to {:.4g} GB with its {} frames, but only {:.4g} GB are free there: write fewer frames "
+                        "(output.interval) or fields (output.fields), or to another disk (--output)",
+                        setup.path.string(), needed / 1e9, setup.max_frames, left / 1e9));
+}
+
+double taken_by(const std::filesystem::path& path) {
+    struct stat found {};
+    constexpr double of_block = 512;
+    return ::stat(path.c_str(), &found) == 0 ? of_block * static_cast<double>(found.st_blocks) : 0.0;
+}
+
+bool is_disk_full(const std::filesystem::path& path) {
+    std::error_code unknown;
+    const auto disk = std::filesystem::space(path, unknown);
+    constexpr std::uintmax_t hardly_any = 1 << 20;
+    return !unknown && disk.available < hardly_any;
+}
+
+}  // namespace weavefront::io

@@ -180,7 +180,7 @@ class Impact::Parts {
     /// Frames at the first step at or after each output time, and at the end: not more than there are steps. Where steps become so much
     /// shorter that there are more, the file gets more room.
     [[nodiscard]] std::int64_t expected_frames() const {
-        constexpr double rounding = 1e-6, shorter_steps = 1.25;
+        constexpr double rounding = 1e-6, shorter_steps = 1.5;
         const double end = scene_.time.end, interval = scene_.output.interval;
         const double times = interval > 0 ? std::ceil(end / interval - rounding) : 1;
         return static_cast<std::int64_t>(std::min(times, std::ceil(shorter_steps * end / simulation_.time_step()))) + 1;

@@ -46,7 +46,7 @@ void require_same_scene(const scene::Scene& scene, const parallel::Communicator&
 }
 
 void run(const Options& options) {
-    const NotedSignals signals;
+    note_signals();
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     require_one_job(comm.size());

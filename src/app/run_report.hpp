@@ -53,7 +53,7 @@ class RunReport {
     const scene::Scene& scene_;
     const parallel::Communicator& comm_;
     io::Log& log_;
-    std::chrono::steady_clock::time_point begin_, computing_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), computing_;
     bool is_lack_told_ = false;
 };
 

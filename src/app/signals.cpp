@@ -24,16 +24,11 @@ void ignore_failed_writes() {
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
-NotedSignals::NotedSignals() {
-    first_noted = 0;
+void note_signals() {
     struct sigaction action {};
     action.sa_handler = note_signal;
     action.sa_flags = SA_RESTART;
     for (const int signal : noted) sigaction(signal, &action, nullptr);
-}
-
-NotedSignals::~NotedSignals() {
-    for (const int signal : noted) std::signal(signal, SIG_DFL);
 }
 
 int noted_signal() { return first_noted; }

@@ -9,14 +9,8 @@ namespace weavefront::app {
 /// From now on a write beyond a limit of file size, or to a reader that has gone, fails instead of ending the program.
 void ignore_failed_writes();
 
-/// While it lives, SIGTERM, SIGINT, SIGUSR1 and SIGUSR2 are noted instead of ending the program; a second SIGINT ends it at once.
-class NotedSignals {
-  public:
-    NotedSignals();
-    ~NotedSignals();
-    NotedSignals(const NotedSignals&) = delete;
-    NotedSignals& operator=(const NotedSignals&) = delete;
-};
+/// From now on SIGTERM, SIGINT, SIGUSR1 and SIGUSR2 are noted instead of ending the program; a second SIGINT ends it at once.
+void note_signals();
 
 /// The first signal that was noted; 0: none.
 int noted_signal();

@@ -43,7 +43,7 @@ void write_results(const scene::Study& study, const std::vector<StudyEntry>& ent
 
 /// @returns whether this is the rank that draws
 bool compute(const Options& options) {
-    const NotedSignals signals;
+    note_signals();
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     require_one_job(comm.size());

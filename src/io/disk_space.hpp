@@ -13,6 +13,9 @@ namespace weavefront::io {
 /// @throws FileError when the disk cannot hold the file with all its frames
 void require_space(const ResultsSetup& setup, double bytes);
 
+/// Makes sure that the system takes a file of this size, as quotas and `ulimit -f` may not. @throws FileError
+void require_size(const ResultsSetup& setup);
+
 /// What the disk gets back when a file is replaced, bytes: results are sparse until they are written.
 double taken_by(const std::filesystem::path& path);
 

@@ -55,11 +55,15 @@ void publish_file(const std::filesystem::path& path) {
     if (::rename(temporary_name(path).c_str(), path.c_str()) != 0) refuse(path, reason_of(errno));
 }
 
-void require_in_place(int descriptor, const std::filesystem::path& path) {
+bool is_in_place(int descriptor, const std::filesystem::path& path) {
     struct stat opened {
     }, found{};
     const bool is_there = ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &found) == 0;
-    if (!is_there || opened.st_dev != found.st_dev || opened.st_ino != found.st_ino)
+    return is_there && opened.st_dev == found.st_dev && opened.st_ino == found.st_ino;
+}
+
+void require_in_place(int descriptor, const std::filesystem::path& path) {
+    if (!is_in_place(descriptor, path))
         throw FileError(fmt::format(
             "{} is no longer there: the file or its folder was moved, removed or replaced while the run wrote to it", path.string()));
 }

@@ -75,6 +75,7 @@ class Results::File {
         agreement.attempt_on_root([&] {
             require_regular_or_missing(path_);
             require_space(setup, taken_by(path_));
+            require_size(setup);
             create_results_skeleton(unfinished, setup);
             is_unfinished_there_ = true;
         });
@@ -183,6 +184,7 @@ class Results::File {
         const std::string unfinished = temporary_name(path_).string();
         agreement.attempt_on_root([&] {
             require_space(setup, 0);
+            require_size(setup);
             create_results_skeleton(unfinished, setup);
             is_unfinished_there_ = true;
             copy_results(path_, unfinished, setup, frames_);

@@ -19,6 +19,7 @@
 #include <system_error>
 
 #include "weavefront/io/file_error.hpp"
+#include "weavefront/io/new_file.hpp"
 
 namespace weavefront::io {
 
@@ -37,14 +38,19 @@ std::string host_name() {
     return name.data();
 }
 
-/// Field 22 of /proc/PID/stat; empty: unknown. The command, which may hold spaces, ends with the last parenthesis.
+/// Field 22 of /proc/PID/stat; "ended": it has, and its parent has not asked how; empty: unknown. The command, which may hold spaces, ends
+/// with the last parenthesis.
 std::string ticks_of(pid_t process) {
     std::ifstream file(fmt::format("/proc/{}/stat", process));
     std::string text;
     std::getline(file, text);
-    std::istringstream fields(text.substr(std::min(text.rfind(')'), text.size() - 1) + 1));
-    std::string field;
-    for (int i = 3; i <= 22; ++i) fields >> field;
+    const auto command_end = text.rfind(')');
+    if (command_end == std::string::npos) return "";
+    std::istringstream fields(text.substr(command_end + 1));
+    std::string state, field;
+    fields >> state;
+    for (int i = 4; i <= 22; ++i) fields >> field;
+    if (state == "Z" || state == "X") return "ended";
     return fields ? field : "";
 }
 
@@ -112,12 +118,11 @@ RunLock::RunLock(const std::filesystem::path& folder) : path_(folder / "run.lock
     const auto text = text_of(own);
     constexpr int attempts = 2;
     for (int attempt = 0;; ++attempt) {
-        const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-        if (descriptor >= 0) {
-            const bool is_whole = ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0) {
+            if (::write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size())) return;
             const int cause = errno;
-            ::close(descriptor);
-            if (is_whole) return;
+            ::close(descriptor_);
             ::unlink(path_.c_str());
             throw FileError(fmt::format("{} cannot be written: {}", path_.string(), std::generic_category().message(cause)));
         }
@@ -128,6 +133,9 @@ RunLock::RunLock(const std::filesystem::path& folder) : path_(folder / "run.lock
     }
 }
 
-RunLock::~RunLock() { ::unlink(path_.c_str()); }
+RunLock::~RunLock() {
+    if (is_in_place(descriptor_, path_)) ::unlink(path_.c_str());
+    ::close(descriptor_);
+}
 
 }  // namespace weavefront::io

@@ -12,13 +12,14 @@ class RunLock {
   public:
     /// @throws FileError naming the run that keeps the folder
     explicit RunLock(const std::filesystem::path& folder);
-    /// Gives the folder free.
+    /// Gives the folder free, where it is still the one that was locked.
     ~RunLock();
     RunLock(const RunLock&) = delete;
     RunLock& operator=(const RunLock&) = delete;
 
   private:
     std::filesystem::path path_;
+    int descriptor_ = -1;
 };
 
 }  // namespace weavefront::io

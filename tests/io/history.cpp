@@ -55,12 +55,28 @@ TEST(History, HoldsTheColumnsInTheirOrderAtFullPrecision) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
     History history(directory / "history.csv", comm);
+    history.publish();
     history.write(numbered_row());
     history.write(numbered_row());
     // Read while the table is open: a row counts once it is written.
     if (comm.rank() == 0) {
         EXPECT_EQ(content(directory / "history.csv"), std::string(header) + "\n" + numbered_line + "\n" + numbered_line + "\n");
+        EXPECT_EQ(history.hash(), sha256_of_file(directory / "history.csv"));
     }
+}
+
+TEST(History, AppearsUnderItsNameWithItsHeader) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    const auto path = directory / "history.csv";
+    if (comm.rank() == 0) std::ofstream(path) << "of an earlier run";
+    MPI_Barrier(comm.get());
+    { const History unpublished(path, comm); }
+    EXPECT_TRUE(comm.rank() != 0 || content(path) == "of an earlier run");
+    History history(path, comm);
+    history.publish();
+    EXPECT_TRUE(comm.rank() != 0 || content(path) == std::string(header) + "\n");
+    EXPECT_TRUE(comm.rank() != 0 || !std::filesystem::exists(path.string() + ".new"));
 }
 
 // The file system takes half of a row, as a full one may.
@@ -68,6 +84,7 @@ TEST(History, HoldsWholeRowsWhenTheDiskIsFull) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
     History history(directory / "history.csv", comm);
+    history.publish();
     const auto one_row = std::string(header) + "\n" + numbered_line + "\n";
     rlimit before{};
     ::getrlimit(RLIMIT_FSIZE, &before);
@@ -87,6 +104,7 @@ TEST(History, RefusesWhatIsNotFinite) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
     History history(directory / "history.csv", comm);
+    history.publish();
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
         auto row = numbered_row();
         row.hourglass = value;
@@ -102,13 +120,19 @@ TEST(History, FailsOnAllRanksWhereItCannotBeCreated) {
     const ScratchDirectory directory(comm);
     const auto path = directory / "missing/history.csv";
     const auto message = message_of<FileError>([&] { const History history(path, comm); });
-    EXPECT_EQ(message, path.string() + " cannot be created: No such file or directory");
+    EXPECT_EQ(message, path.string() + " cannot be written: No such file or directory");
 }
 
-TEST(History, FailsOnAllRanksWhenTheDiskIsFull) {
+TEST(History, NoticesThatItWasMoved) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto message = message_of<FileError>([&] { const History history("/dev/full", comm); });
-    EXPECT_EQ(message, "/dev/full cannot be written: No space left on device");
+    const ScratchDirectory directory(comm);
+    const auto path = directory / "history.csv";
+    History history(path, comm);
+    history.publish();
+    history.require_in_place();
+    if (comm.rank() == 0) std::filesystem::remove(path);
+    const auto message = message_of<FileError>([&] { history.require_in_place(); });
+    EXPECT_NE(message.find(path.string() + " is no longer there"), std::string::npos) << message;
 }
 
 }  // namespace

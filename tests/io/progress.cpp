@@ -1,8 +1,12 @@
 #include "weavefront/io/progress.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
 
 #include "scratch_directory.hpp"
+#include "weavefront/io/file_error.hpp"
 
 namespace weavefront::io {
 namespace {
@@ -30,6 +34,7 @@ TEST(Progress, WritesALineAtEveryTenthOffTheTerminal) {
     testing::internal::CaptureStdout();
     {
         Log log(directory / "", comm);
+        log.publish();
         double wall = 0;
         Progress progress(log, 100e-6, [&] { return wall; });
         for (int step = 0; step <= 1000; ++step) {
@@ -53,9 +58,37 @@ TEST(Progress, WritesALineAtEveryTenthOffTheTerminal) {
 TEST(Log, FailsOnAllRanksWithoutItsDirectory) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
-    // spdlog creates missing folders, so a file stands in the way.
-    if (comm.rank() == 0) std::ofstream(directory / "file") << "text";
-    EXPECT_THROW(Log(directory / "file", comm), std::runtime_error);
+    const auto message = message_of<FileError>([&] { Log(directory / "missing", comm); });
+    EXPECT_EQ(message, (directory / "missing/run.log").string() + " cannot be written: No such file or directory");
+}
+
+// The file system takes no more than the first line, as a full one may.
+TEST(Log, CountsTheLinesThatItsFileLacks) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    testing::internal::CaptureStderr();
+    const std::string first(10000, 'x');
+    {
+        Log log(directory / "", comm, Terminal::silent);
+        log.publish();
+        log.info(first);
+        const rlimit limit{first.size() + 5, before.rlim_max};  // room for what is told meanwhile
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        log.info("second line");
+        log.info("third line");
+        ::setrlimit(RLIMIT_FSIZE, &before);
+    }
+    std::signal(SIGXFSZ, handler);
+    const auto told = testing::internal::GetCapturedStderr();
+    if (comm.rank() != 0) return;
+    EXPECT_EQ(content(directory / "run.log"), first + "\n");
+    EXPECT_NE(told.find("warning: a line of the log is lost: " + (directory / "run.log").string() + " cannot be written: File too large\n"),
+              std::string::npos)
+        << told;
+    EXPECT_NE(told.find("warning: run.log lacks 2 lines\n"), std::string::npos) << told;
 }
 
 }  // namespace

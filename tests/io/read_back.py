@@ -11,9 +11,9 @@ import h5py
 import model
 
 
-def write(writer, mpiexec, ranks, path, frames, max_frames, projectile):
+def write(writer, mpiexec, ranks, path, frames, max_frames, projectile, cut):
     """Runs the writer."""
-    command = [mpiexec, "-n", str(ranks), writer, str(path), str(frames), str(max_frames), str(projectile)]
+    command = [mpiexec, "-n", str(ranks), writer, str(path), str(frames), str(max_frames), str(projectile), *cut]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
 
 
@@ -28,14 +28,17 @@ def main():
     writer, mpiexec, h5diff = sys.argv[1:]
     os.environ["HDF5_USE_FILE_LOCKING"] = "FALSE"
     with tempfile.TemporaryDirectory() as folder:
-        # More frames than one, none, and a run that stopped before its last frame.
-        for frames, max_frames, projectile in [(4, 4, 1), (4, 4, 0), (0, 3, 1), (1, 3, 1), (2, 5, 1)]:
-            files = [Path(folder) / f"{frames}-{max_frames}-{projectile}-{ranks}.vtkhdf" for ranks in range(1, 5)]
+        # More frames than one, none, a run that stopped before its last frame, files that are cut and one that grows.
+        for frames, max_frames, projectile, *cut in [(4, 4, 1), (4, 4, 0), (0, 3, 1), (1, 3, 1), (2, 5, 1), (0, 3, 1, "cut"), (2, 5, 0, "cut"), (9, 2, 1)]:
+            files = [Path(folder) / f"{frames}-{max_frames}-{projectile}-{ranks}{''.join(cut)}.vtkhdf" for ranks in range(1, 5)]
             for ranks, path in enumerate(files, start=1):
                 path.write_text("an older file, to be replaced")
-                write(writer, mpiexec, ranks, path, frames, max_frames, projectile)
+                write(writer, mpiexec, ranks, path, frames, max_frames, projectile, cut)
                 assert model.check_frames(path, projectile == 1) == frames
                 check_provenance(path)
+            with h5py.File(files[0]) as file:
+                room = len(file["VTKHDF/Steps/PointOffsets"])
+            assert room == max(frames, 1) if cut else room >= frames, (frames, room)
             for path in files[1:]:
                 subprocess.run([h5diff, str(files[0]), str(path)], check=True)
                 # Byte by byte they are written at different times: nothing of the moment is inside.

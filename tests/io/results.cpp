@@ -7,7 +7,6 @@
 #include "scratch_directory.hpp"
 #include "synthetic_model.hpp"
 #include "weavefront/io/file_error.hpp"
-#include "weavefront/io/output_directory.hpp"
 
 namespace weavefront::io {
 namespace {
@@ -38,6 +37,7 @@ TEST_F(ResultsTest, FailBeforeAnythingIsWrittenWhereTheDiskCannotHoldThem) {
 // A value that is not finite on one rank stops all of them, and the frame does not count.
 TEST_F(ResultsTest, RefuseWhatIsNotFinite) {
     Results results(model_.setup(directory_ / "results.vtkhdf", 2), comm_);
+    results.publish();
     auto frame = model_.frame(0);
     if (model_.owns(0)) frame.point_data[1].values[0] = std::nan("");
     const auto message = message_of<NotFinite>([&] { results.write(frame); });
@@ -49,35 +49,52 @@ TEST_F(ResultsTest, RefuseWhatIsNotFinite) {
 
 TEST_F(ResultsTest, RefuseOtherArraysThanTheirLayout) {
     Results results(model_.setup(directory_ / "results.vtkhdf", 1), comm_);
+    results.publish();
     auto frame = model_.frame(0);
     frame.cell_data.pop_back();
     EXPECT_EQ(message_of<std::logic_error>([&] { results.write(frame); }), "the arrays of a frame are not those of the layout");
     results.write(model_.frame(0));
-    EXPECT_NE(message_of<std::logic_error>([&] { results.write(model_.frame(0)); }).find("no room for more than 1 frames"),
-              std::string::npos);
+    EXPECT_EQ(results.frames(), 1);
 }
 
-TEST_F(ResultsTest, OutputDirectoryIsCreatedWithItsParents) {
-    for (int run = 0; run < 2; ++run) {
-        const OutputDirectory kept(directory_ / "a/b", comm_);
-        if (comm_.rank() == 0) std::ofstream(directory_ / "a/b/summary.json") << "{}";
-        const auto message = message_of<FileError>([&] { OutputDirectory(directory_ / "a/b", comm_); });
-        EXPECT_NE(message.find("a/b is in use by another run"), std::string::npos) << message;
-        EXPECT_TRUE(comm_.rank() != 0 || std::filesystem::exists(directory_ / "a/b/summary.json"));
-    }
+TEST_F(ResultsTest, AppearUnderTheirNameWhenTheyArePublished) {
+    const auto path = directory_ / "results.vtkhdf";
     {
-        const OutputDirectory kept(directory_ / "a/b", comm_);
-        EXPECT_TRUE(comm_.rank() != 0 || !std::filesystem::exists(directory_ / "a/b/summary.json")) << "of the run before";
+        const Results unpublished(model_.setup(path, 1), comm_);
+        EXPECT_TRUE(comm_.rank() != 0 || std::filesystem::exists(path.string() + ".new"));
+        EXPECT_TRUE(comm_.rank() != 0 || !std::filesystem::exists(path));
     }
-    if (comm_.rank() == 0) {
-        EXPECT_TRUE(std::filesystem::is_directory(directory_ / "a/b"));
-    }
+    EXPECT_TRUE(comm_.rank() != 0 || !std::filesystem::exists(path.string() + ".new"));
+    Results results(model_.setup(path, 1), comm_);
+    results.publish();
+    EXPECT_TRUE(comm_.rank() != 0 || std::filesystem::exists(path));
+    EXPECT_TRUE(comm_.rank() != 0 || !std::filesystem::exists(path.string() + ".new"));
 }
 
-TEST_F(ResultsTest, OutputDirectoryFailsOnAllRanksBelowAFile) {
-    if (comm_.rank() == 0) std::ofstream(directory_ / "file") << "text";
-    const auto message = message_of<FileError>([&] { OutputDirectory(directory_ / "file/run", comm_); });
-    EXPECT_EQ(message, "output directory " + (directory_ / "file/run").string() + " cannot be created: Not a directory");
+TEST_F(ResultsTest, TakeTheRoomOfWhatWasWritten) {
+    const auto size = [&](int room, int frames) {
+        const auto path = directory_ / std::to_string(room);
+        Results results(model_.setup(path, room), comm_);
+        results.publish();
+        for (int k = 0; k < frames; ++k) results.write(model_.frame(k));
+        results.cut();
+        EXPECT_EQ(results.frames(), frames);
+        return comm_.rank() == 0 ? std::filesystem::file_size(path) : 0;
+    };
+    const auto exact = size(7, 7);
+    EXPECT_EQ(size(1000, 7), exact);  // too much
+    EXPECT_EQ(size(1, 7), exact);     // too little
+}
+
+TEST_F(ResultsTest, NoticeThatTheyWereMoved) {
+    const auto path = directory_ / "results.vtkhdf";
+    Results results(model_.setup(path, 3), comm_);
+    results.publish();
+    results.write(model_.frame(0));
+    if (comm_.rank() == 0) std::filesystem::rename(path, directory_ / "elsewhere");
+    const auto message = message_of<FileError>([&] { results.write(model_.frame(1)); });
+    EXPECT_NE(message.find(path.string() + " is no longer there"), std::string::npos) << message;
+    EXPECT_EQ(results.frames(), 1);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ Summary sample() {
             .broken_yarns = 7,
             .eroded_elements = 8,
             .first_break = {2.5e-5, std::nullopt},
-            .left_out = {"friction"}};
+            .left_out = {"friction"},
+            .history_sha256 = "ab12"};
 }
 
 TEST(Summary, HoldsEveryKey) {
@@ -55,7 +56,8 @@ TEST(Summary, HoldsEveryKey) {
         "nanoseconds_per_element_step": 250.5, "outcome": {"verdict": "stopped", "decided_at": 9.5e-5, "plies_perforated": 1,
         "peak_back_face_deflection": 0.0139, "deepest_penetration": 2e-4, "deepest_at": [1e-3, 2e-3, 3e-3], "deepest_ply": 1,
         "deepest_time": 6e-5}, "residual_velocity": -12.25, "max_displacement": 0.0141,
-        "back_face_deflection": 0.0139, "energy_error": 1e-4, "broken_yarns": 7, "eroded_elements": 8, "first_break": [2.5e-5, null], "left_out": ["friction"]})");
+        "back_face_deflection": 0.0139, "energy_error": 1e-4, "broken_yarns": 7, "eroded_elements": 8, "first_break": [2.5e-5, null], "left_out": ["friction"],
+        "history_sha256": "ab12"})");
     EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json")), expected);
     EXPECT_FALSE(std::filesystem::exists(directory / "summary.json.new"));
 }
@@ -84,6 +86,17 @@ TEST(Summary, KeepsTheOldFileRatherThanWriteWhatIsNotFinite) {
     EXPECT_EQ(message_of<NotFinite>([&] { write_summary(directory / "summary.json", summary, comm); }), "summary: mean is not finite");
     if (comm.rank() == 0) {
         EXPECT_EQ(content(directory / "summary.json"), before);
+    }
+}
+
+TEST(Summary, IsWrittenWhateverBytesAPathIsMadeOf) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    auto summary = sample();
+    summary.reason = "Zw\xf6lf.csv cannot be written";  // Latin-1
+    write_summary(directory / "summary.json", summary, comm);
+    if (comm.rank() == 0) {
+        EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json"))["reason"], "Zw\ufffdlf.csv cannot be written");
     }
 }
 

@@ -44,7 +44,10 @@ class NewFile {
     bool is_published_ = false;
 };
 
-/// Makes sure that the file behind an open descriptor is still at `path`. @throws FileError
+/// Whether `path` leads to the file behind an open descriptor.
+bool is_in_place(int descriptor, const std::filesystem::path& path);
+
+/// Makes sure of it. @throws FileError
 void require_in_place(int descriptor, const std::filesystem::path& path);
 
 }  // namespace weavefront::io

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "weavefront/parallel/communicator.hpp"
+#include "weavefront/parallel/shared_memory.hpp"
 
 namespace weavefront::parallel {
 
@@ -45,17 +46,13 @@ class Mailboxes {
     [[nodiscard]] Header& header(int on_host) const;
     [[nodiscard]] std::byte* message(int from, int to, std::uint64_t turn) const;
     [[nodiscard]] std::size_t before_messages() const;
-    [[nodiscard]] bool allocate(std::size_t bytes);
-    void release();
 
-    int exceptions_;  ///< under way when this was made
     MPI_Comm host_ = MPI_COMM_NULL;
-    MPI_Win window_ = MPI_WIN_NULL;
     int rank_, ranks_on_host_ = 1, rank_on_host_ = 0;
-    std::vector<int> on_host_;          ///< of each rank, its rank among those of this host, or -1
-    std::vector<std::byte*> memories_;  ///< of the ranks of this host
-    std::size_t room_ = 0;              ///< of each, bytes
-    std::uint64_t turn_ = 0;            ///< of the last post
+    std::vector<int> on_host_;  ///< of each rank, its rank among those of this host, or -1
+    SharedMemory memory_;
+    std::size_t room_ = 0;    ///< of each rank of this host, bytes
+    std::uint64_t turn_ = 0;  ///< of the last post
     bool is_refused_ = false;
 };
 

@@ -1,4 +1,4 @@
-"""What the program says and returns for a command line, before any scene is computed. Usage: command_line.py WEAVEFRONT"""
+"""What the program says and returns for a command line, before any scene is computed: command_line.py WEAVEFRONT MPIEXEC"""
 
 import os
 import subprocess
@@ -51,15 +51,15 @@ CASES = [
 ]
 
 
-def call(program, arguments, rank=None):
+def call(*command, rank=None):
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("OMPI_COMM", "PMI"))}
     if rank is not None:
         environment["OMPI_COMM_WORLD_RANK"] = str(rank)
-    return subprocess.run([program, *arguments], capture_output=True, text=True, env=environment, timeout=60)
+    return subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60)
 
 
 def main():
-    program = os.path.abspath(sys.argv[1])
+    program, mpiexec = os.path.abspath(sys.argv[1]), sys.argv[2]
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         with open("bad.yaml", "w") as file:
@@ -67,8 +67,8 @@ def main():
         with open("study.yaml", "w") as file:
             file.write("scene: bad.yaml\nvariants: []\n")
         os.mkdir("folder")
-        for arguments, status, beginnings in CASES:
-            result = call(program, arguments)
+        for number, (arguments, status, beginnings) in enumerate(CASES):
+            result = call(program, *arguments)
             lines = result.stderr.splitlines()
             assert result.returncode == status, (arguments, result)
             assert len(lines) == len(beginnings), (arguments, lines)
@@ -77,8 +77,16 @@ def main():
             assert bool(result.stdout) == (status == 0), (arguments, result.stdout)
 
             # What all ranks find alike is told by the first one, in its status too: a failure elsewhere would kill it before it has printed.
-            other_rank = call(program, arguments, rank=1)
+            other_rank = call(program, *arguments, rank=1)
             assert (other_rank.returncode, other_rank.stdout, other_rank.stderr) == (0, "", ""), (arguments, other_rank)
+
+            # A few cases show the same with ranks.
+            if number % 5 > 0:
+                continue
+            together = call(mpiexec, "-n", "2", program, *arguments)
+            told = [line for line in together.stderr.splitlines() if line.startswith("weavefront: ")]
+            assert (together.returncode, told) == (status, lines), (arguments, together)
+            assert status != 0 or together.stdout == result.stdout, (arguments, together.stdout)
 
 
 main()

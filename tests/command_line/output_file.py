@@ -1,5 +1,7 @@
-"""Files that a command reads are never replaced, and what cannot be written is told before anything runs: output_file.py WEAVEFRONT SCENE"""
+"""Files that a command reads are never replaced, nor what is no file, and what cannot be written is told before anything runs:
+output_file.py WEAVEFRONT SCENE"""
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -18,7 +20,10 @@ def main():
         scene, path = Path(folder) / "scene.yaml", Path(folder) / "path.csv"
         scene.write_text(Path(example).read_text())
         path.write_text("time,F11,F12,F21,F22\n0,1,0,0,1\n1e-6,1.001,0,0,1\n")
-        texts = {file: file.read_text() for file in (scene, path)}
+        (Path(folder) / "target.csv").write_text("of somebody else")
+        (Path(folder) / "link.csv").symlink_to("target.csv")
+        os.mkfifo(Path(folder) / "fifo")
+        texts = {file: file.read_text() for file in (scene, path, Path(folder) / "target.csv")}
         rates, ranks = ("--rates", "1"), ("--ranks", "2")
         same = (
             ("yarn", scene, *rates, "--out", scene),
@@ -34,10 +39,12 @@ def main():
         for arguments in (("yarn", scene, *rates), ("cell", scene, "--path", path), ("partition", scene, *ranks)):
             status, told = call(program, *arguments, "--out", missing)
             assert status == 3 and "table.csv cannot be written: No such file or directory" in told, arguments
-            status, told = call(program, *arguments, "--out", folder)
-            assert status == 3 and "cannot be written: Is a directory" in told, arguments
+            for out, kind in ((folder, "folder"), ("/dev/null", "device"), (Path(folder) / "link.csv", "link"), (Path(folder) / "fifo", "FIFO")):
+                status, told = call(program, *arguments, "--out", out)
+                assert status == 3 and f"{out} cannot be written: it is a {kind}, allowed is a regular file or none" in told, arguments
+        assert Path("/dev/null").is_char_device() and (Path(folder) / "fifo").is_fifo()
         assert all(file.read_text() == text for file, text in texts.items())
-        assert {file.name for file in Path(folder).iterdir()} == {"scene.yaml", "path.csv"}
+        assert {file.name for file in Path(folder).iterdir()} == {"scene.yaml", "path.csv", "target.csv", "link.csv", "fifo"}
 
 
 main()

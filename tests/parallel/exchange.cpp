@@ -3,9 +3,11 @@
 #include "weavefront/parallel/exchange.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <numeric>
 #include <thread>
 
@@ -155,6 +157,31 @@ TEST(Exchange, SumsByMailWhatItSumsByMessages) {
             by_messages.sum(comm, expected);
             EXPECT_TRUE(sums[static_cast<std::size_t>(turn)] == expected) << size << ' ' << turn;
         }
+    }
+}
+
+// The last rank cannot have its memory: all send messages, which say the same.
+TEST(Exchange, SumsByMessagesWhereTheHostLacksMemory) {
+    const Communicator comm(MPI_COMM_WORLD);
+    parallel::Mailboxes mailboxes(comm);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{comm.rank() == comm.size() - 1 ? 64 : before.rlim_cur, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    Exchange<Triple> exchange(with_ghosts(comm)), by_messages(with_ghosts(comm));
+    exchange.use(comm, mailboxes);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(mailboxes.is_refused(), comm.size() > 1);
+    for (int r = 0; r < comm.size(); ++r) EXPECT_FALSE(mailboxes.reach(r));
+    for (int turn = 0; turn < 3; ++turn) {
+        std::vector<Triple> values;
+        for (int node = 0; node < 12; ++node) values.push_back({node, comm.rank(), turn});
+        auto expected = values;
+        by_messages.sum(comm, expected);
+        exchange.sum(comm, values);
+        EXPECT_EQ(values, expected);
     }
 }
 

@@ -17,7 +17,7 @@ def main(program, mpiexec, scene):
         done = subprocess.run([mpiexec, "-n", "2", sys.executable, "-B", __file__, *run], capture_output=True, text=True, timeout=120)
     print(done.stdout, done.stderr)
     assert done.returncode != 0
-    assert "weavefront: error: rank 1 is out of memory" in done.stderr
+    assert "weavefront: error: rank 1: out of memory" in done.stderr
 
 
 if "OMPI_COMM_WORLD_RANK" in os.environ:

@@ -2,9 +2,11 @@
 
 import csv
 import json
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -115,6 +117,41 @@ class Study(unittest.TestCase):
         for variant, summary in zip(self.rows(), ("[]", "{}", '{"scene_hash": 1, "versions": 2}', "3", "")):
             (self.folder / "out" / variant["variant"] / "summary.json").write_text(summary)
         self.assertIn("8, of them 3 computed before", self.run_study(ranks=2))
+
+    def test_repeats_variants_whose_files_were_cut_or_changed(self):
+        self.run_study()
+        errors = [row["residual_velocity_error"] for row in self.rows()]
+        folders = [self.folder / "out" / row["variant"] for row in self.rows()]
+        for folder, change in zip(folders, (lambda text: text[: len(text) // 2], lambda text: text[: text.index(b"\n") + 1],
+                                            lambda text: text.replace(b"1", b"2", 1))):
+            (folder / "history.csv").write_bytes(change((folder / "history.csv").read_bytes()))
+        (folders[3] / "results.vtkhdf").write_bytes((folders[3] / "results.vtkhdf").read_bytes()[:-1000])
+        (folders[4] / "history.csv").unlink()
+        self.assertIn("8, of them 3 computed before", self.run_study())
+        self.assertEqual([row["residual_velocity_error"] for row in self.rows()], errors)
+
+    def test_goes_on_after_a_signal(self):
+        text = STUDY.replace("order:", "set: {time.end: 20 ms, output.interval: 0 us, output.history: 10 us}\norder:").replace(", {field: displacement, time: 10 us}", "")
+        (self.folder / "study.yaml").write_text(text)
+        process = subprocess.Popen([MPIEXEC, "-n", "2", WEAVEFRONT, "study", self.folder / "study.yaml", "--output", self.folder / "out", "--no-picture"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while len(list(self.folder.glob("out/*/summary.json"))) < 2:
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        process.send_signal(signal.SIGUSR1)
+        errors = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 4, errors)
+        self.assertIn("SIGUSR1 received: computed variants are kept", errors)
+        states = [json.loads(path.read_text())["status"] for path in self.folder.glob("out/*/summary.json")]
+        self.assertTrue(2 <= states.count("finished") < 8, states)
+        self.assertIn(f"8, of them {states.count('finished')} computed before", self.run_study(text))
+        self.assertEqual({row["outcome"] for row in self.rows()}, {"finished"})
+
+    def test_refuses_the_folder_of_a_run(self):
+        (self.folder / "out").mkdir()
+        (self.folder / "out/history.csv").write_text("of a run")
+        self.assertIn("out holds a run already (history.csv)", self.run_study(status=2))
+        self.assertEqual((self.folder / "out/history.csv").read_text(), "of a run")
 
     def test_repeats_variants_whose_scene_has_changed(self):
         self.run_study()

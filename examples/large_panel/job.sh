@@ -7,6 +7,7 @@
 #SBATCH --hint=nomultithread     # and no second rank on a core
 #SBATCH --mem-per-cpu=1G         # 0.6 kB an element; libraries and METIS need little besides
 #SBATCH --time=02:00:00          # there is no restart: ask for much more than the model says (below), until you have seen a run
+#SBATCH --signal=USR1@120        # two minutes before: the run writes its last row, frame and summary
 
 # The program must have been built for the processors of these nodes: -DWEAVEFRONT_ARCH=native there, or x86-64-v4.
 program=${WEAVEFRONT:-build/release/src/app/weavefront}

@@ -2,6 +2,7 @@
 output_file.py WEAVEFRONT SCENE"""
 
 import os
+import stat
 import subprocess
 import sys
 import tempfile
@@ -23,6 +24,10 @@ def main():
         (Path(folder) / "target.csv").write_text("of somebody else")
         (Path(folder) / "link.csv").symlink_to("target.csv")
         os.mkfifo(Path(folder) / "fifo")
+        # As root the program could replace one of the system's.
+        null = Path(folder) / "null" if os.geteuid() == 0 else Path("/dev/null")
+        if os.geteuid() == 0:
+            os.mknod(null, 0o600 | stat.S_IFCHR, os.makedev(1, 3))
         texts = {file: file.read_text() for file in (scene, path, Path(folder) / "target.csv")}
         rates, ranks = ("--rates", "1"), ("--ranks", "2")
         same = (
@@ -39,12 +44,12 @@ def main():
         for arguments in (("yarn", scene, *rates), ("cell", scene, "--path", path), ("partition", scene, *ranks)):
             status, told = call(program, *arguments, "--out", missing)
             assert status == 3 and "table.csv cannot be written: No such file or directory" in told, arguments
-            for out, kind in ((folder, "folder"), ("/dev/null", "device"), (Path(folder) / "link.csv", "link"), (Path(folder) / "fifo", "FIFO")):
+            for out, kind in ((folder, "folder"), (null, "device"), (Path(folder) / "link.csv", "link"), (Path(folder) / "fifo", "FIFO")):
                 status, told = call(program, *arguments, "--out", out)
                 assert status == 3 and f"{out} cannot be written: it is a {kind}, allowed is a regular file or none" in told, arguments
-        assert Path("/dev/null").is_char_device() and (Path(folder) / "fifo").is_fifo()
+        assert null.is_char_device() and (Path(folder) / "fifo").is_fifo()
         assert all(file.read_text() == text for file, text in texts.items())
-        assert {file.name for file in Path(folder).iterdir()} == {"scene.yaml", "path.csv", "target.csv", "link.csv", "fifo"}
+        assert {file.name for file in Path(folder).iterdir()} == {"scene.yaml", "path.csv", "target.csv", "link.csv", "fifo"} | {null.name for _ in [0] if null.parent == Path(folder)}
 
 
 main()

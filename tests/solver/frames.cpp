@@ -53,6 +53,7 @@ TEST_F(Frames, HaveTheVelocitiesOfTheirTime) {
     simulation.advance_forces();
     const auto before = simulation.model().nodes.v;
     const auto shown = velocities_of(simulation);
+    const Vec3 of_projectile = simulation.projectile_velocity(), behind = simulation.model().projectile->velocity;
     const double last = simulation.time();
     simulation.integrate();
     const auto& nodes = simulation.model().nodes;
@@ -63,6 +64,8 @@ TEST_F(Frames, HaveTheVelocitiesOfTheirTime) {
         const Vec3 expected = (before[n] + nodes.v[n]) / 2;
         EXPECT_LT((shown[i++] - expected).norm(), 1e-9) << n;  // m/s; the times above are rounded
     }
+    EXPECT_LT((of_projectile - (behind + simulation.model().projectile->velocity) / 2).norm(), 1e-9);
+    EXPECT_GT((of_projectile - behind).norm(), 1e-6);
 }
 
 // The ledger takes v(n-1/2).v(n+1/2), which is what the scheme keeps. It is less than v(n)^2 by the square of half the change of a step.

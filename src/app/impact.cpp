@@ -87,7 +87,9 @@ class Impact::Parts {
         progress.finish();
         if (load_ && !is_rebalanced_) report_.never_rebalanced(load_->worst());
         report_.finish(simulation_, last_, ending, directory_.path(), history_.hash());
-        if (ending.kind != Ending::Kind::interrupted || results_.bytes() < quick_to_cut) results_.cut();
+        const bool is_to_be_cut = ending.kind != Ending::Kind::interrupted || results_.bytes() < quick_to_cut;
+        if (is_to_be_cut && !results_.cut())
+            log_.warn("results.vtkhdf keeps room for more frames: the disk cannot hold a shorter copy beside it");
         return ending;
     }
 

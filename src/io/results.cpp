@@ -123,10 +123,11 @@ class Results::File {
         ++frames_;
     }
 
-    void cut() {
-        if (frames_ == setup_.max_frames) return;
+    bool cut() {
+        const auto room = std::max<std::int64_t>(frames_, 1);
         const QuietHdf5 quiet;
-        change_room(std::max<std::int64_t>(frames_, 1));
+        if (room != setup_.max_frames) change_room(room);
+        return room == setup_.max_frames;
     }
 
     void redistribute(const Topology& topology) {
@@ -272,7 +273,7 @@ void Results::write(const Frame& frame) {
 
 void Results::publish() { file_->publish(); }
 
-void Results::cut() { file_->cut(); }
+bool Results::cut() { return file_->cut(); }
 
 void Results::redistribute(const Topology& topology) { file_->redistribute(topology); }
 

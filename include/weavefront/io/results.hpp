@@ -49,8 +49,9 @@ class Results {
     /// @note Collective
     void write(const Frame& frame);
 
-    /// Gives room back that no frame has filled, where the disk can hold the shorter file beside the longer one. @note Collective
-    void cut();
+    /// Gives room back that no frame has filled. @return false where the disk cannot hold the shorter file beside the longer one, which stays
+    /// @note Collective
+    bool cut();
 
     /// From now on frames come from ranks that own other nodes and elements. @note Collective
     void redistribute(const Topology& topology);

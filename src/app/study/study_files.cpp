@@ -177,7 +177,7 @@ Json json_of(const scene::Study& study, std::span<const StudyEntry> entries, std
 void write_study_files(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows,
                        const std::filesystem::path& folder) {
     io::replace_file(folder / "study.csv", csv_of(study, entries, rows));
-    io::replace_file(folder / "study.json", json_of(study, entries, rows).dump(1) + "\n");
+    io::replace_file(folder / "study.json", json_of(study, entries, rows).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace weavefront::app

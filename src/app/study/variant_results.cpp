@@ -17,6 +17,9 @@ VariantResults::VariantResults(const scene::Case& variant, const std::filesystem
     std::ifstream file(path);
     summary_ = nlohmann::json::parse(file, nullptr, false);
     if (!file || summary_.is_discarded()) throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
+    for (const char* key : {"status", "reason", "element_steps", "ranks", "nanoseconds_per_element_step"})
+        if (!summary_.is_object() || !summary_.contains(key))
+            throw std::runtime_error(fmt::format("{}: no {}, as the summary of a run has: remove the file", path.string(), key));
     history_ = study::read_columns(folder / "history.csv");
 }
 

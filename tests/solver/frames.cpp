@@ -24,7 +24,7 @@ const io::Array& array(const io::Frame& frame, const std::string& name) {
 }
 
 /// Velocities of the owned nodes in a frame now.
-std::vector<Vec3> velocities_of(const Simulation& simulation) {
+std::vector<Vec3> velocities_of(Simulation& simulation) {
     const auto values = array(app::frame_of(simulation, {Field::velocity}), "velocity").values;
     std::vector<Vec3> velocities;
     for (std::size_t i = 0; i < values.size(); i += 3) velocities.emplace_back(values[i], values[i + 1], values[i + 2]);

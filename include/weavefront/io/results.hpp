@@ -49,7 +49,8 @@ class Results {
     /// @note Collective
     void write(const Frame& frame);
 
-    /// Gives room back that no frame has filled. @return false where the disk cannot hold the shorter file beside the longer one, which stays
+    /// Gives room back that no frame has filled. @return false where the disk cannot hold the shorter file beside the longer one, which
+    /// stays
     /// @note Collective
     bool cut();
 

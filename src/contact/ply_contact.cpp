@@ -213,9 +213,8 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& r
     const auto pressure = law(facet.ply, other.ply).advance(points, met, overlap, motion, now.dt, batch.share, slave.around, slave.sum);
     const double area = now.surface.areas[static_cast<std::size_t>(slave.facet)];
     for (std::size_t i = 0; i < batch_width; ++i) {
-        const bool touches = met[i] && points.overlap[i] > 0;
-        slave.touching = slave.touching || touches;
-        if (touches)
+        slave.touching = slave.touching || (met[i] && points.overlap[i] > 0);
+        if (met[i] && overlap[i] > reach * forces.deepest.in_thicknesses)
             forces.deepest.include({overlap[i], overlap[i] / reach, Vec3(rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]), facet.id});
         if (!(pressure[i] > 0)) continue;
         auto& pair = pair_of_[near];

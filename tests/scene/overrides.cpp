@@ -33,7 +33,7 @@ TEST(Override, BringsItsOwnValueBackAfterLeavingOut) { EXPECT_EQ(parse(example, 
 
 TEST(Override, ThatLeadsNowhereIsNamed) {
     const std::vector<std::pair<std::string, std::string>> cases{
-        {"time.safty=0.5", "time.safty: found an unknown key, allowed end, safety, did you mean 'safety'?"},
+        {"time.safty=0.5", "time.safty: found an unknown key, allowed end, safety, stop, did you mean 'safety'?"},
         {"fabrics.kevlar129.failur=", "fabrics.kevlar129.failur: found an unknown key, allowed formulation, "},
         {"fabrics.kevlar128.thickness=1 mm",
          "fabrics.kevlar128.thickness: found 'kevlar128', allowed the name of a fabric of the scene, did you mean 'kevlar129'?"},

@@ -130,8 +130,8 @@ class PenaltyLaw {
         Penetration point;
         Pressed pressed;
     };
-    [[nodiscard]] Step step_of(const Penetration& before, double geometric, const RelativeMotion& motion, double dt, double share,
-                               const Surroundings& around) const {
+    [[nodiscard, gnu::always_inline]] Step step_of(const Penetration& before, double geometric, const RelativeMotion& motion, double dt,
+                                                   double share, const Surroundings& around) const {
         const auto approached = approach(before, geometric, motion, dt);
         const auto moved = slide(approached, around.sliding_share);
         const double stored = recoverable(approached.point), after = recoverable(moved);
@@ -164,7 +164,8 @@ class PenaltyLaw {
 
         [[nodiscard]] Penetration whole() const { return {point.overlap, point.overlap - present, point.opened}; }
     };
-    [[nodiscard]] static Approached approach(const Penetration& before, double geometric, const RelativeMotion& motion, double dt) {
+    [[nodiscard, gnu::always_inline]] static Approached approach(const Penetration& before, double geometric, const RelativeMotion& motion,
+                                                                 double dt) {
         const double overlap = std::max(geometric, 0.0), jump = std::max(overlap - before.overlap - motion.most * dt, 0.0);
         const double present = overlap - std::min(before.ignored + jump, overlap), change = motion.normal * dt;
         const bool pressed = before.present() > 0;
@@ -175,23 +176,23 @@ class PenaltyLaw {
         return {{overlap, overlap - without_sliding, opened}, present};
     }
 
-    [[nodiscard]] Penetration slide(Approached approached, double share) const {
+    [[nodiscard, gnu::always_inline]] Penetration slide(Approached approached, double share) const {
         auto& [point, present] = approached;
         if (present > point.present() && unloading_ > 1) point.opened = std::min(point.opened, point.present() / (unloading_ - 1));
         const double refused = (1 - share) * std::max(present - point.present(), 0.0);
         return {point.overlap, point.overlap - present + refused, point.opened};
     }
 
-    [[nodiscard]] static Penetration crept(const Penetration& point, double creep) {
+    [[nodiscard, gnu::always_inline]] static Penetration crept(const Penetration& point, double creep) {
         return {point.overlap, point.ignored - creep, std::max(point.opened - creep, 0.0)};
     }
 
-    [[nodiscard]] double elastic_pressure(const Penetration& point) const {
+    [[nodiscard, gnu::always_inline]] double elastic_pressure(const Penetration& point) const {
         return std::max(stiffness_ * (point.present() - (unloading_ - 1) * point.opened), 0.0);
     }
 
     /// What a point gives back when it opens, J/m2.
-    [[nodiscard]] double recoverable(const Penetration& point) const {
+    [[nodiscard, gnu::always_inline]] double recoverable(const Penetration& point) const {
         const double pressure = elastic_pressure(point);
         return pressure * pressure / (2 * unloading_ * stiffness_);
     }

@@ -76,7 +76,6 @@ void warn_of_place(const Shot& shot, const scene::Projectile& projectile, Phrase
     }
 }
 
-/// It does not feel the frame.
 void warn_of_bars(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     const auto length = [&](double value) { return text_of(value, shot.scene.units.length); };
     const auto& frame = *shot.scene.target->frame;
@@ -87,7 +86,7 @@ void warn_of_bars(const Shot& shot, const scene::Projectile& projectile, Phrases
         if (!half || 2 * *half < projectile.diameter) continue;  // said of the opening
         if (std::abs(place[d]) + projectile.diameter / 2 > *half)
             found.push_back(
-                fmt::format("on its way the projectile meets a bar of the frame, which it does not feel: it is {} wide and would pass "
+                fmt::format("on its way the projectile meets a bar of the frame: it is {} wide and would pass "
                             "at {} = {}, the opening ends at {}",
                             length(projectile.diameter), d == 0 ? "x" : "y", length(place[d]), length(*half)));
     }

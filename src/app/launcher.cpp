@@ -35,13 +35,18 @@ int size_in(const char* variable) {
     return whole_number(text);
 }
 
-}  // namespace
-
-bool is_first_process() {
+bool starts_first() {
     for (const char* variable : rank_variables)
         if (const char* rank = std::getenv(variable)) return std::string_view(rank) == "0";
     return true;
 }
+
+// MPI sets variables of its own when it begins in a process that its mpirun has not started.
+const bool started_first = starts_first();
+
+}  // namespace
+
+bool is_first_process() { return started_first; }
 
 int launched_processes() {
     for (const char* variable : size_variables)

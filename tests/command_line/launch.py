@@ -31,11 +31,12 @@ def main():
         os.chdir(folder)
         with open("study.yaml", "w") as file:
             file.write(f"scene: {scene}\nvariants:\n  - {{time.end: [1 us]}}\nquantities: [residual_velocity]\n")
+        output = ("--output", "out", "--overwrite")
         small = ("--set", "target.mesh.center=4 mm", "--set", "target.mesh.edge=4 mm", "--set", "time.end=1 us", "--set", "output.interval=0",
                  "--set", "target.plies.count=1")
         for variables in OTHERS:
             size = next(name for name in variables if name.endswith(("SIZE", "NTASKS")))
-            for arguments in (("run", scene, "--output", "out", "--overwrite", *small), ("study", "study.yaml"), ("partition", scene, "--ranks", "1")):
+            for arguments in (("run", scene, *output, *small), ("study", "study.yaml"), ("partition", scene, "--ranks", "1")):
                 done = call(program, variables, *arguments)
                 assert done.returncode == 2 and done.stderr.count("weavefront: error: ") == 1, done
                 assert f"found one rank where the launcher has started 4 processes ({size}=4)" in done.stderr, done
@@ -44,8 +45,8 @@ def main():
             assert call(program, variables, "check", scene).returncode == 0
         assert os.listdir() == ["study.yaml"], os.listdir()
         for variables in ALONE:
-            assert call(program, variables, "run", scene, "--output", "out", "--overwrite", *small).returncode == 0
-        assert subprocess.run([mpiexec, "-n", "2", program, "run", scene, "--output", "out", *small], timeout=60).returncode == 0
+            assert call(program, variables, "run", scene, *output, *small).returncode == 0
+        assert subprocess.run([mpiexec, "-n", "2", program, "run", scene, *output, *small], timeout=60).returncode == 0
 
 
 main()

@@ -7,9 +7,9 @@ namespace weavefront::contact {
 
 namespace {
 
-VelocityBox box_around(std::span<const std::int32_t> nodes, std::span<const Vec3> v) {
+NodeBox box_around(std::span<const std::int32_t> nodes, std::span<const Vec3> v) {
     // Two by turns: comparisons that need not wait for each other.
-    VelocityBox box(v, nodes.front()), other(v, nodes.back());
+    NodeBox box(v, nodes.front()), other(v, nodes.back());
     for (std::size_t k = 1; k + 1 < nodes.size(); k += 2) box.add(v, nodes[k]), other.add(v, nodes[k + 1]);
     box.add(other);
     return box;

@@ -14,7 +14,7 @@ namespace {
 constexpr double rounding = 1e-4;
 
 // Of the touching distance. Candidates farther away are left out of a shortlist, which then holds until they may have come near.
-constexpr double near_in_touching = 0.4;
+constexpr double near_in_touching = 0.3;
 
 }  // namespace
 
@@ -22,22 +22,30 @@ double room_around(const Outlook& outlook, std::int32_t nearest, Shortlist& shor
     const auto& [ply, points, candidates, surface, touching, x] = outlook;
     const double beyond = touching.depth() - touching.most();  // facets that are no candidates lie at least this deep
     const double near = near_in_touching * touching.most();
-    const bool listed = so_far < shortlist.until;
-    double room = listed ? shortlist.until - so_far : beyond, unlisted = beyond;
-    std::uint32_t places = 0;
+    double room = beyond;
     // By how much something may approach until the facet may touch the box around a candidate.
     const auto look_at = [&](std::int32_t candidate) {
         const auto& other = surface.facets[static_cast<std::size_t>(candidate)];
-        const auto corners = corners_of(other.nodes, x);
-        const double reach = (1 + rounding) * touching.between(ply, other.ply), apart = points.distance_to(Box::around(corners)) - reach;
-        if (apart < room) room = std::min(room, std::max(apart, points.distance_to(corners) - reach));
+        const double reach = (1 + rounding) * touching.between(ply, other.ply), apart = points.distance_to(NodeBox(x, other.nodes)) - reach;
+        if (apart < room) room = std::min(room, std::max(apart, points.distance_to(corners_of(other.nodes, x)) - reach));
         return apart;
     };
-    if (nearest >= 0 && surface.alive[static_cast<std::size_t>(nearest)]) look_at(nearest);  // mostly it leaves the least room
+    const auto is_alive = [&](std::int32_t candidate) { return surface.alive[static_cast<std::size_t>(candidate)] != 0; };
+    if (so_far < shortlist.until) room = shortlist.until - so_far;
+    if (nearest >= 0 && is_alive(nearest)) look_at(nearest);  // mostly it leaves the least room
+    if (so_far < shortlist.until) {
+        if (room >= enough)
+            candidates.visit_some(shortlist.places, [&](std::int32_t candidate) {
+                if (candidate != nearest && is_alive(candidate)) look_at(candidate);
+                return room >= enough;
+            });
+        return room < enough ? 0 : room;
+    }
+    double unlisted = beyond;
+    std::uint32_t places = 0;
     auto candidate = candidates.begin();
     for (std::size_t place = 0; candidate != candidates.end() && room >= enough; ++candidate, ++place) {
-        if (listed && !shortlist.holds(place)) continue;
-        if (!surface.alive[static_cast<std::size_t>(*candidate)]) continue;
+        if (!is_alive(*candidate)) continue;
         const double apart = *candidate == nearest ? 0 : look_at(*candidate);
         if (apart < near && place < Shortlist::longest)
             places |= std::uint32_t{1} << place;
@@ -45,7 +53,7 @@ double room_around(const Outlook& outlook, std::int32_t nearest, Shortlist& shor
             unlisted = std::min(unlisted, std::max(apart, 0.0));
     }
     if (room < enough) return 0;
-    if (!listed) shortlist = {not_above(so_far + unlisted), places};
+    shortlist = {not_above(so_far + unlisted), places};
     return room;
 }
 

@@ -98,20 +98,12 @@ void PlyContact::update_candidates(const Surface& surface, const Whereabouts& ex
 
 double PlyContact::own_approach(std::int32_t f, const Shortlist& near, const Now& now) const {
     if (near.places == 0) return 0;
-    const auto box_of = [&](std::int32_t facet) {
-        const auto& nodes = now.surface.facets[static_cast<std::size_t>(facet)].nodes;
-        VelocityBox box(now.v, nodes[0]);
-        for (std::size_t a = 1; a < 4; ++a) box.add(now.v, nodes[a]);
-        return box;
-    };
-    auto candidate = candidates_.of(f).begin();
-    auto places = near.places;
-    for (; (places & 1U) == 0; places >>= 1) ++candidate;
-    auto others = box_of(*candidate);
-    while ((places >>= 1) != 0) {
-        ++candidate;
-        if ((places & 1U) != 0) others.add(box_of(*candidate));
-    }
+    const auto box_of = [&](std::int32_t facet) { return NodeBox(now.v, now.surface.facets[static_cast<std::size_t>(facet)].nodes); };
+    auto others = NodeBox::none();
+    candidates_.of(f).visit_some(near.places, [&](std::int32_t candidate) {
+        others.add(box_of(candidate));
+        return true;
+    });
     return now.dt * std::sqrt(box_of(f).squared_difference(others));
 }
 

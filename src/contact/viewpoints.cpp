@@ -28,7 +28,7 @@ double Viewpoints::distance_to(const std::array<Vec3, 4>& c) const {
     const Vec3 middle = (c[0] + c[1] + c[2] + c[3]) / 4, t1 = (c[1] + c[2] - c[0] - c[3]) / 4, t2 = (c[2] + c[3] - c[0] - c[1]) / 4,
                t3 = (c[0] + c[2] - c[1] - c[3]) / 4, n = t1.cross(t2), E1 = t2.cross(n), E2 = n.cross(t1);
     const double q = n.squaredNorm(), square1 = t1.squaredNorm(), square2 = t2.squaredNorm();
-    if (!(q > 0)) return distance_to(Box::around(c));
+    if (!(q > 0)) return distance_to(NodeBox(Box::around(c)));
     const double inverse = 1 / q, inverse1 = 1 / square1, inverse2 = 1 / square2;
     const double twist = n.dot(t3), warp = std::abs(twist), skew1 = std::abs(E1.dot(t3)) * inverse, skew2 = std::abs(E2.dot(t3)) * inverse;
     const double uneven = warp * (skew1 + skew2 + skew1 * skew2), steep = 2 * warp * warp * inverse * inverse;

@@ -1,8 +1,9 @@
 """Instructions an element-step of named cases against the committed baseline: instructions.py BUILD [--update]
 
 BUILD is a release build of -DWEAVEFRONT_ARCH=x86-64-v3 with the target benchmark_step. Instructions do not depend on how busy a machine is, so a
-slower step is seen at once. Exit status 1 when a case takes over 5 % more than baseline.json says, 77 when BUILD is of another compiler, whose
-instructions say nothing about ours. --update writes baseline.json."""
+slower step is seen at once. Exit status 1 when a case takes over 5 % more than baseline.json says, or when plies that touch
+take over 1.3 times those with air between them; 77 when BUILD is of another compiler, whose instructions say nothing about ours. --update writes
+baseline.json."""
 
 import argparse
 import json
@@ -15,6 +16,7 @@ from programs import architecture, compiler, settings
 HERE = Path(__file__).parent
 SCENE, BASELINE = HERE / "scene.yaml", HERE / "baseline.json"
 STEPS, ALLOWED, SKIPPED = 50, 0.05, 77
+TOUCHING_STEPS, TOUCHING_ALLOWED = 800, 1.3
 
 FABRIC = "fabrics.kevlar129"
 FULL = [
@@ -31,14 +33,27 @@ CASES = {
     "paper formulation": [*FULL, f"{FABRIC}.formulation=paper"],
     "breaking yarns": [*FULL, f"{FABRIC}.thickness=0.2 mm", f"{FABRIC}.failure={{static_strain: 0.005 %, hooke_strain: 0.005 %}}"],
 }
+# A quarter of a stack of six plies under a fragment, for as long as it dishes.
+STACK = [
+    *FULL, f"{FABRIC}.thickness=0.23 mm", "target.size=[60 mm, 60 mm]", "target.edges={}", "target.symmetry=[x, y]", "target.mesh.center=1.5 mm",
+    "projectile={shape: cylinder, diameter: 5.46 mm, edge_radius: 0.3 mm, mass: 1.1 g, velocity: [0, 0, 340 m/s]}",
+    "contact={plies: {}, projectile: {}}",
+]
 
 
-def instructions(build, case):
+def instructions(build, overrides, *options):
     """An element-step's."""
-    command = [build / "tests/benchmark/benchmark_step", SCENE, *settings(CASES[case]), "--steps", str(STEPS)]
+    command = [build / "tests/benchmark/benchmark_step", SCENE, *settings(overrides), *map(str, options)]
     (counts,), printed = callgrind.count(command, within="measured_steps")
     cost = json.loads(printed)
     return counts.total() / (cost["elements"] * cost["steps"])
+
+
+def touching(build):
+    """How many times the instructions of plies 0.1 mm apart those of plies that touch are."""
+    counts = [instructions(build, [*STACK, f"target.plies={{count: 6, fabric: kevlar129, gap: {gap}}}"], "--steps", TOUCHING_STEPS, "--speed", 0)
+              for gap in ("0", "0.1 mm")]
+    return counts[0] / counts[1]
 
 
 def require_countable(build):
@@ -59,7 +74,7 @@ def main():
     if not options.update and baseline["compiler"] != built_by:
         print(f"{BASELINE.name} counts {baseline['compiler']}, {options.build} is built by {built_by}: not compared")
         return SKIPPED
-    now = {case: round(instructions(options.build, case), 1) for case in CASES}
+    now = {case: round(instructions(options.build, overrides, "--steps", STEPS), 1) for case, overrides in CASES.items()}
     if options.update:
         BASELINE.write_text(json.dumps({"compiler": built_by, "instructions": now}, indent=2) + "\n")
         print(BASELINE.read_text())
@@ -77,6 +92,10 @@ def main():
             defects.append(f"{case}: {change:+.1%} instructions, allowed {ALLOWED:+.0%}")
         elif change < -ALLOWED:
             print(f"{case}: {change:+.1%} instructions; keep the gain, lower the baseline with --update")
+    ratio = touching(options.build)
+    print(f"{'plies that touch, of plies 0.1 mm apart':42}{'':20}{ratio:8.2f}x")
+    if ratio > TOUCHING_ALLOWED:
+        defects.append(f"plies that touch take {ratio:.2f} times the instructions of plies 0.1 mm apart, allowed {TOUCHING_ALLOWED}")
     print("\n".join(defects))
     return 1 if defects else 0
 

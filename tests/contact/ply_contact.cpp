@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "surfaces.hpp"
+#include "weavefront/contact/touching.hpp"
 
 namespace weavefront::test {
 namespace {
@@ -202,14 +203,17 @@ TEST(PlyContact, ForgetsWhatItTouchedWhenThatIsFarAwayAtOnce) {
     EXPECT_FALSE(contact.touches(5));
 }
 
-TEST(PlyContact, PliesThatTouchAtTheStartDoNotPush) {
-    Plies plies;
-    plies.add(4, ply_at(0), flat(side, 0));
-    plies.add(4, ply_at(thickness / 2), flat(side, thickness / 2));  // closer than their thickness
-    PlyContact contact(elastic, 0.5e-3, plies.surface, plies.x);
-    EXPECT_TRUE(press(contact, plies, 25, Vec3::Zero()).empty());
-    const auto sum = assemble(press(contact, plies, 25, {0, 0, 0.01e-3}), plies.x);
-    EXPECT_NEAR(sum.on_slaves.z() / -(k * 0.01e-3 * side * side), 1, 1e-9);
+TEST(PlyContact, PliesThatTouchAtTheStartPushWhenTheyHaveComeNearerByTheSlack) {
+    for (const double distance : {thickness, thickness / 2}) {  // touching, and closer than their thickness
+        const double slack = contact::Touching::slack * distance;
+        Plies plies;
+        plies.add(4, ply_at(0), flat(side, 0));
+        plies.add(4, ply_at(distance), flat(side, distance));
+        PlyContact contact(elastic, 0.5e-3, plies.surface, plies.x);
+        EXPECT_TRUE(press(contact, plies, 25, {0, 0, slack - 1e-9}).empty());
+        const auto sum = assemble(press(contact, plies, 25, {0, 0, 0.01e-3 + 1e-9}), plies.x);
+        EXPECT_NEAR(sum.on_slaves.z() / -(k * 0.01e-3 * side * side), 1, 1e-9);
+    }
 }
 
 }  // namespace

@@ -8,39 +8,9 @@
 
 #include "weavefront/contact/candidates.hpp"
 #include "weavefront/contact/facet_groups.hpp"
+#include "weavefront/contact/node_box.hpp"
 
 namespace weavefront::contact {
-
-/// Box around the velocities of some nodes, m/s.
-class VelocityBox {
-  public:
-    VelocityBox() = default;
-    VelocityBox(std::span<const Vec3> v, std::int32_t first) : low_(load(v, first)), high_(low_) {}
-
-    void add(std::span<const Vec3> v, std::int32_t node) {
-        const auto velocity = load(v, node);
-        low_ = low_.min(velocity);
-        high_ = high_.max(velocity);
-    }
-    void add(const VelocityBox& other) {
-        low_ = low_.min(other.low_);
-        high_ = high_.max(other.high_);
-    }
-    /// Square of the most by which two velocities, one of either box, may differ, m2/s2.
-    [[nodiscard]] double squared_difference(const VelocityBox& other) const {
-        return (high_ - other.low_).max(other.high_ - low_).head<3>().matrix().squaredNorm();
-    }
-
-  private:
-    /// With a fourth number, whatever it may be: four are loaded and compared as fast as one.
-    [[nodiscard]] static Eigen::Array4d load(std::span<const Vec3> v, std::int32_t node) {
-        const auto n = static_cast<std::size_t>(node);
-        if (n + 1 == v.size()) return {v[n].x(), v[n].y(), v[n].z(), 0};  // nothing stands after it
-        return Eigen::Map<const Eigen::Array4d>(v[n].data());
-    }
-
-    Eigen::Array4d low_, high_;
-};
 
 /// Bounds from above, step by step, by how much the distance of owned facets to any of their candidates has changed. Between two bilinear
 /// facets it changes by no more than two of their nodes move relative to each other, so the bound grows by the diagonal of the box around
@@ -67,7 +37,7 @@ class Approach {
   private:
     FacetGroups groups_;                         ///< of owned facets, then of ghosts
     std::vector<std::int32_t> first_, meeting_;  ///< of each group of owned facets: the groups that hold its candidates
-    std::vector<VelocityBox> boxes_;             ///< of each group
+    std::vector<NodeBox> boxes_;                 ///< of each group
     struct Bound {
         double sum = 0, last = 0;  ///< m
     };

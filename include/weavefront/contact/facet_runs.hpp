@@ -2,6 +2,7 @@
 /// @file
 /// Lists of facets that take little room.
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -41,6 +42,18 @@ class FacetRuns {
     [[nodiscard]] Iterator begin() const { return Iterator(runs_.data()); }
     [[nodiscard]] Iterator end() const { return Iterator(runs_.data() + runs_.size()); }
     [[nodiscard]] bool empty() const { return runs_.empty(); }
+
+    /// Calls `visit` with those of the first 32 facets whose bits are set, in their order, until it returns false.
+    template <class Visit>
+    void visit_some(std::uint32_t places, const Visit& visit) const {
+        for (const auto& run : runs_) {
+            if (places == 0) return;
+            const auto within = run.count < 32 ? places & ((std::uint32_t{1} << run.count) - 1) : places;
+            for (auto rest = within; rest != 0; rest &= rest - 1)
+                if (!visit(run.begin + std::countr_zero(rest))) return;
+            places = run.count < 32 ? places >> run.count : 0;
+        }
+    }
     [[nodiscard]] std::int32_t back() const { return runs_.back().begin + runs_.back().count - 1; }
 
   private:

@@ -58,11 +58,6 @@ struct Box {
         return {at(0).cwiseMin(at(1)).cwiseMin(at(2).cwiseMin(at(3))), at(0).cwiseMax(at(1)).cwiseMax(at(2).cwiseMax(at(3)))};
     }
 
-    /// Square of the distance to another box, 0 where they meet.
-    [[nodiscard]] double squared_distance_to(const Box& other) const {
-        return (other.low - high).cwiseMax(low - other.high).cwiseMax(0).squaredNorm();
-    }
-
     [[nodiscard]] bool meets(const Box& other) const {
         return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "weavefront/contact/facet_lines.hpp"
+#include "weavefront/contact/node_box.hpp"
 #include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/surface.hpp"
 
@@ -18,7 +19,7 @@ class Viewpoints {
     Viewpoints(const QuadratureRule& rule, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned);
 
     /// A bound from below of the distance of any of the points to a box, m; 0 where none was found.
-    [[nodiscard]] double distance_to(const Box& box) const { return std::sqrt(box_.squared_distance_to(box)); }
+    [[nodiscard]] double distance_to(const NodeBox& box) const { return std::sqrt(box_.squared_distance(box)); }
 
     /// The same to another facet: closer than to the box around it, and dearer. @param corners of the other, m
     [[nodiscard]] double distance_to(const std::array<Vec3, 4>& corners) const;
@@ -26,7 +27,7 @@ class Viewpoints {
   private:
     std::size_t batches_;
     std::array<VectorLanes, most_batches> points_;
-    Box box_;  ///< around the points
+    NodeBox box_;  ///< around the points
 };
 
 }  // namespace weavefront::contact

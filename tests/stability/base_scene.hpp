@@ -14,6 +14,7 @@ fabrics:
     density: 1440 kg/m^3
     yarn: {span: 0.909 mm, area: 6.48e-2 mm^2, width: 0.32 mm}
     thickness: 0.41 mm
+    contact_thickness: 0.1417 mm
     elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa, viscosity: 35 MPa s}
     failure: {static_strain: 3.3 %, hooke_strain: 2.7 %}
     lateral: {modulus: 7.4 GPa, shear_modulus: 2.5 GPa, locking_angle: 35 deg, transition: 3 deg}

@@ -172,6 +172,7 @@ std::vector<Case> units() {
                          fmt::format("{}=6.48e{} {}^2", of_fabric("yarn.area"), -2 + 2 * power, unit),
                          of(of_fabric("yarn.width"), "0.32", 0),
                          of(of_fabric("thickness"), "0.41", 0),
+                         of(of_fabric("contact_thickness"), "0.1417", 0),
                          "target.size=" + two,
                          of("target.plies.spacing", "0.25", 0),
                          of("target.mesh.center", "1", 0),

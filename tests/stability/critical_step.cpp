@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "base_scene.hpp"
+#include "weavefront/contact/touching.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/simulation.hpp"
 
@@ -161,9 +163,13 @@ Path shear(double angle) {
 /// Part of the greatest press at a time: up to all of it, then a little back, so that all contact points unload.
 double pressed(double time) { return time < 0.8 ? time / 0.8 : 1 - 0.25 * (time - 0.8); }
 
-/// The stack is pressed together by a part of its height.
+/// Heights of a stack over those at the start: pressed together until its plies press, and by a part of its height more.
+double pressed_height(double time, double share) {
+    return 1 - contact::Touching::slack * std::min(time / 0.8, 1.0) - share * pressed(time);
+}
+
 Path press(double share) {
-    return [=](double time, const Vec3& x) { return Vec3(x.x(), x.y(), x.z() * (1 - share * pressed(time))); };
+    return [=](double time, const Vec3& x) { return Vec3(x.x(), x.y(), x.z() * pressed_height(time, share)); };
 }
 
 /// The ply is pressed onto the nose of a projectile. @param depth m
@@ -246,7 +252,7 @@ Path waves(unsigned seed, double strain, double steepness, double pressed_by) {
     }
     return [=](double time, const Vec3& x) {
         Vec3 at = x;
-        at.z() *= 1 - pressed_by * pressed(time);
+        at.z() *= pressed_height(time, pressed_by);
         for (const auto& wave : sum) at += time * std::sin(wave.kx * x.x() + wave.ky * x.y() + wave.phase) * wave.size;
         return at;
     };

@@ -53,7 +53,9 @@ bool is_settled(const Simulation& simulation, const Balance& balance) {
     const auto& counts = simulation.counts();
     const double way = balance.projectile_velocity.norm() * (balance.time - counts.last_touched);
     if (way < free_way * simulation.projectile_diameter()) return false;
-    return verdict != Verdict::stopped || balance.back_face_deflection < past_peak * counts.back_face_deflection;
+    // What is perforated goes on dishing for a while; a target that nothing holds flies on for ever.
+    if (verdict != Verdict::stopped && !simulation.is_supported()) return true;
+    return balance.back_face_deflection <= past_peak * counts.back_face_deflection;
 }
 
 }  // namespace weavefront::solver

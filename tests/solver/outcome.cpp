@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "small_scene.hpp"
 
 namespace weavefront::solver::test {
@@ -11,7 +13,8 @@ namespace {
 struct Run {
     Outcome outcome;
     std::vector<std::optional<Passage>> passages;
-    double settled_at = 0;  ///< s; 0: never
+    double settled_at = 0;            ///< s; 0: never
+    double deflection = 0, peak = 0;  ///< of the back face, then and until then, m
 };
 
 /// Computes to a time. @param end s
@@ -21,7 +24,14 @@ Run compute(const std::vector<std::string>& overrides, double end, const paralle
     while (simulation.time() < end && run.settled_at == 0) {
         for (int n = 0; n < 10; ++n) {
             simulation.advance_forces();
-            if (n == 9 && is_settled(simulation, simulation.balance())) run.settled_at = simulation.time();
+            if (n != 9) {
+                simulation.integrate();
+                continue;
+            }
+            const auto balance = simulation.balance();
+            run.deflection = balance.back_face_deflection;
+            run.peak = std::max(run.peak, run.deflection);
+            if (is_settled(simulation, balance)) run.settled_at = simulation.time();
             simulation.integrate();
         }
     }
@@ -52,6 +62,7 @@ TEST(Outcome, IsPerforatedWhenAllPliesHaveAHole) {
     EXPECT_EQ(run.outcome.verdict, Verdict::perforated);
     EXPECT_EQ(run.outcome.plies_perforated, 2);
     EXPECT_GT(run.settled_at, *run.outcome.decided_at);
+    EXPECT_LT(run.deflection, run.peak) << "a perforated target goes on dishing";
     for (const auto& passage : run.passages) {
         ASSERT_TRUE(passage);
         EXPECT_EQ(passage->way, Way::hole);

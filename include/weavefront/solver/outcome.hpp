@@ -27,7 +27,7 @@ struct Outcome {
 Outcome outcome_of(const Simulation& simulation);
 
 /// Whether the outcome can no longer change: it is decided, nothing has touched the projectile over the last tenth of a diameter of its
-/// way, and the back face of a target that stopped it is past its largest deflection.
+/// way, and the back face is past its largest deflection. The latter is not asked of a perforated target that nothing supports.
 /// @param balance of the present time
 bool is_settled(const Simulation& simulation, const Balance& balance);
 

@@ -2,6 +2,7 @@
 /// @file
 /// The explicit time integration of an impact.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -85,6 +86,10 @@ class Simulation {
     [[nodiscard]] contact::Deepest deepest() const;
     /// Elements that lie behind the next ply although no element of that ply is eroded. @note Collective
     [[nodiscard]] CrossedElements crossed_elements() const;
+    /// Whether an edge of the target is held or rests on the frame.
+    [[nodiscard]] bool is_supported() const {
+        return std::ranges::any_of(scene_.target->edges, [](scene::Edge edge) { return edge != scene::Edge::free; });
+    }
     [[nodiscard]] double projectile_diameter() const { return scene_.projectile ? scene_.projectile->diameter : 0; }
     [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
     [[nodiscard]] const PhaseSeconds& seconds() const { return seconds_; }

@@ -50,8 +50,7 @@ int report(const Outcome& outcome) {
     if (!is_first_process()) {
         // What all processes find alike is for the first one to tell. The launcher kills it when another one fails: it is given time to
         // print.
-        if (outcome.status != Status::system_error) return static_cast<int>(Status::done);
-        std::this_thread::sleep_for(std::chrono::seconds(1));
+        if (outcome.status != Status::done) std::this_thread::sleep_for(std::chrono::seconds(1));
         return static_cast<int>(outcome.status);
     }
     for (const std::string& message : outcome.messages) fmt::print(stderr, "weavefront: error: {}\n", message);

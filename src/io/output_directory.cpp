@@ -34,6 +34,9 @@ bool is_there(const std::filesystem::path& path) {
 bool create_writable(const std::filesystem::path& directory) {
     std::error_code failure;
     const bool is_created = std::filesystem::create_directories(directory, failure);
+    if (failure && std::filesystem::is_symlink(directory) && !std::filesystem::exists(directory))
+        throw FileError("output directory " + directory.string() + " cannot be created: it is a link to " +
+                        std::filesystem::read_symlink(directory).string() + ", which is missing");
     if (failure) throw FileError("output directory " + directory.string() + " cannot be created: " + failure.message());
     if (!std::filesystem::is_directory(directory, failure))
         throw FileError("output directory " + directory.string() + " is not a directory");

@@ -196,7 +196,7 @@ Balance Simulation::balance() {
     balance.max_displacement = largest.of_joined;
     balance.back_face_deflection = largest.of_back_face;
     balance.debris_displacement = largest.of_debris;
-    balance.deepest = deepest_of_all(contact_.deepest, comm_);
+    balance.deepest = deepest();
     add_projectile(balance);
     close(balance);
     counts_.inverted = std::max(counts_.inverted, counted(LedgerSums::folded));

@@ -41,7 +41,8 @@ def main():
                 assert done.returncode == 2 and done.stderr.count("weavefront: error: ") == 1, done
                 assert f"found one rank where the launcher has started 4 processes ({size}=4)" in done.stderr, done
                 other = {name: "2" if name.endswith(("RANK", "PROCID")) else value for name, value in variables.items()}
-                assert call(program, other, *arguments).stderr == "", other
+                done = call(program, other, *arguments)
+                assert done.returncode == 2 and done.stderr == "", done
             assert call(program, variables, "check", scene).returncode == 0
         assert os.listdir() == ["study.yaml"], os.listdir()
         for variables in ALONE:

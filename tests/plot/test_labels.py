@@ -69,6 +69,19 @@ class Overlaps(OnFolder):
         (self.folder / "study.json").write_text(json.dumps(document), encoding="utf-8")
         self.assertEqual(overlaps(self.figure_of(self.folder)), [])
 
+    def test_of_ticks_that_lie_close_together_differ(self):
+        figure, axes = plt.subplots()
+        axes.set(xscale="log", xlim=(9.0e5, 9.4e5))
+        axes.yaxis.set_ticks([])
+        study.scale(axes.xaxis, 9.0e5, 9.4e5)
+        figure.canvas.draw()
+        low, high = axes.get_xlim()
+        shown = [tick.label1.get_text() for tick in axes.xaxis.get_major_ticks() if low <= tick.get_loc() <= high]
+        self.assertGreater(len(shown), 1)
+        self.assertEqual(len(shown), len(set(shown)), shown)
+        self.assertFalse(overlaps(figure))
+        plt.close(figure)
+
     def test_of_the_key_of_any_number_of_plies(self):
         for count in (2, 8, 30, 400):
             for heights in ([9.0], [12.0, 20.0, 25.0]):

@@ -117,6 +117,10 @@ TEST(Penetration, IsThatOfTheDeepestPointWithItsPlace) {
     EXPECT_NEAR(deepest.in_thicknesses, 0.65, 1e-5);
     EXPECT_LT((deepest.place.head<2>() - Vec3(1e-3, -1e-3, 0).head<2>()).norm(), 1.5e-3);
     EXPECT_EQ(simulation.deepest().element, deepest.element);
+    simulation.integrate();
+    simulation.model().projectile->position.z() = -5e-3;
+    simulation.advance_forces();
+    EXPECT_EQ(simulation.balance().deepest.overlap, deepest.overlap) << "it stays when the projectile has gone";
 }
 
 }  // namespace weavefront::solver::test

@@ -191,8 +191,10 @@ class Study(unittest.TestCase):
                                ("time,projectile_vz\n0,100\n1e-6", "measured.csv:3:1: found 1 cells, allowed 2"),
                                ("time,projectile_vz\n0,100\n", "measured.csv:1:6: projectile_vz: found 1 value, allowed are two or more"),
                                ("time,projectile_vz\n20e-6,100\n30e-6,90\n",
-                                "measured.csv:1:6: projectile_vz: found values at 2e-05 to 3e-05 s, allowed are times that center=4mm,velocity.2=100m_s "
-                                "shares, 0 to 1e-05 s"),
+                                "measured.csv:1:6: projectile_vz: found values at 2e-05 to 3e-05 s, of which 0 at the times of "
+                                "center=4mm,velocity.2=100m_s, 0 to 1e-05 s; allowed are two or more of them"),
+                               # us for s: all begin at 0
+                               ("time,projectile_vz\n0,100\n5,99\n10,98\n", "found values at 0 to 10 s, of which 1 at the times of "),
                                ("residual_velocity,time,projectile_vz\n,0,100\n,10e-6,90\n",
                                 "measured.csv:1:1: residual_velocity: found nothing in the first row")):
             (self.folder / "measured.csv").write_text(table)
@@ -215,7 +217,7 @@ class Study(unittest.TestCase):
 
     def test_warns_of_measured_values_in_other_units(self):
         text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
-        (self.folder / "measured.csv").write_text("time,projectile_vz\n0,0.1\n0.005,0.099\n0.01,0.098\n")  # km/s, and ms instead of s
+        (self.folder / "measured.csv").write_text("time,projectile_vz\n0,0.1\n1e-5,0.099\n0.01,0.098\n")  # km/s, and far beyond the run
         said = self.run_study(text)
         self.assertIn("warning: projectile_vz was measured over 1e+03 times the time of the run: another unit than s?", said)
         self.assertIn("warning: measured values of projectile_vz are 0.001 times the computed ones: another unit than m/s?", said)

@@ -33,9 +33,9 @@ struct HistoryRow {
     double max_displacement = 0;             ///< largest displacement along z of a node of joined fabric, m
     double time_step = 0;                    ///< s
     double back_face_deflection = 0;         ///< largest displacement along z of joined fabric of the last ply, m
-    double penetration = 0;                  ///< deepest overlap of fabric with the projectile, another ply or the frame, m
+    double penetration = 0;                  ///< deepest that fabric and the projectile, another ply or the frame overlapped until then, m
     std::array<double, 2> penetration_at{};  ///< its place in x and y, m
-    std::int64_t penetration_ply = 0;        ///< its ply, 1 = struck first; 0: nothing is in contact
+    std::int64_t penetration_ply = 0;        ///< its ply, 1 = struck first; 0: nothing was in contact
     std::int64_t debris_elements = 0;        ///< neither eroded nor joined to a support
     double debris_mass = 0;                  ///< kg
     double debris_displacement = 0;          ///< largest displacement along z of a node of debris, m

@@ -26,8 +26,9 @@ struct Outcome {
 /// Of a run with a projectile and its contact; without them the projectile is still moving.
 Outcome outcome_of(const Simulation& simulation);
 
-/// Whether the outcome can no longer change: it is decided, nothing has touched the projectile over the last tenth of a diameter of its
-/// way, and the back face is past its largest deflection. The latter is not asked of a perforated target that nothing supports.
+/// Whether the verdict stands and the back face has swung back: it is decided, nothing has touched the projectile over the last tenth of
+/// a diameter of its way, and the deflection has fallen by 1 % from its largest. The latter is not asked of a perforated target that
+/// nothing supports, which flies on. Flaps around a hole may swing farther later.
 /// @param balance of the present time
 bool is_settled(const Simulation& simulation, const Balance& balance);
 

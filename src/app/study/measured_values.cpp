@@ -92,6 +92,10 @@ study::Curve curve_of(const study::Columns& columns, const std::string& name) {
     return curve;
 }
 
+std::ptrdiff_t values_between(const study::Curve& curve, double begin, double end) {
+    return std::ranges::count_if(curve.time, [&](double t) { return t >= begin && t <= end; });
+}
+
 bool is_compared(const Measure& measure, const study::Columns& columns, Measure::Kind kind) {
     return measure.kind == kind && columns.contains(measure.of);
 }
@@ -154,9 +158,10 @@ class Reader {
                           fmt::format("found {} value{}, allowed are two or more", curve.time.size(), curve.time.empty() ? "s" : ""));
         for (const StudyEntry& entry : entries_) {
             const auto [begin, end] = time_of(study_, entry.input);
-            if (std::max(begin, curve.time.front()) < std::min(end, curve.time.back())) continue;
-            return report(column, fmt::format("found values at {}, allowed are times that {} shares, {}",
-                                              range_text({curve.time.front(), curve.time.back()}, "s"), entry.variant.name,
+            const auto shared = values_between(curve, begin, end);
+            if (shared >= 2) continue;
+            return report(column, fmt::format("found values at {}, of which {} at the times of {}, {}; allowed are two or more of them",
+                                              range_text({curve.time.front(), curve.time.back()}, "s"), shared, entry.variant.name,
                                               range_text({begin, end}, "s")));
         }
     }
@@ -184,10 +189,9 @@ void report_measured(const scene::Study& study, std::span<const StudyEntry> entr
             log.info(fmt::format("  measured      {}: {:.6g} {}", measure.of, columns.at(measure.of).front(), unit_of(measure.of)));
         if (!is_compared(measure, columns, Measure::Kind::history)) continue;
         const auto curve = curve_of(columns, measure.of);
-        const auto inside = std::ranges::count_if(curve.time, [&](double t) { return t >= begin && t <= end; });
         log.info(fmt::format("  measured      {}: {} values of {} at {}; {} of them at the times of {}, {}", measure.of, curve.time.size(),
-                             range_text(range_of(curve.value), unit_of(measure.of)), range_text(range_of(curve.time), "s"), inside,
-                             entries.front().variant.name, range_text({begin, end}, "s")));
+                             range_text(range_of(curve.value), unit_of(measure.of)), range_text(range_of(curve.time), "s"),
+                             values_between(curve, begin, end), entries.front().variant.name, range_text({begin, end}, "s")));
         if ((curve.time.back() - curve.time.front()) > most_apart * (end - begin))
             log.warn(fmt::format("{} was measured over {:.3g} times the time of the run: another unit than s?", measure.of,
                                  (curve.time.back() - curve.time.front()) / (end - begin)));

@@ -2,7 +2,7 @@
 import re
 
 import matplotlib.pyplot as plt
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 from .failure import InputError
 from .study_table import read_study
@@ -93,7 +93,9 @@ def draw_panel(panel, study, quantity, label, key, costs):
 def scale(axis, low, high):
     """Labels of a logarithmic axis that have room, also between the powers of ten of a short one."""
     subdivided, powers = high < 30 * low, high > 1e4 * low
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if subdivided else (1,), numticks=6))
+    # 1, 2 and 5 times a power of ten may leave less than two labels in such a short range.
+    few = high < 2.5 * low
+    axis.set_major_locator(MaxNLocator(3) if few else LogLocator(subs=(1, 2, 5) if subdivided else (1,), numticks=6))
     axis.set_major_formatter(FuncFormatter(lambda value, _: number(value, powers)))
     axis.set_minor_formatter(NullFormatter())
 
@@ -102,7 +104,8 @@ def number(value, powers):
     """A round number as text: 0.02 or 500, or with a power of ten such as 2×10⁻⁷."""
     if 1e-3 <= value < 1e4 * (1 - 1e-9) and not powers:
         return f"{value:.6g}"
-    factor, exponent = f"{value:.0e}".split("e")
+    factor, exponent = f"{value:.2e}".split("e")
+    factor = factor.rstrip("0").rstrip(".")
     power = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
     return f"10{power}" if factor == "1" else f"{factor}×10{power}"
 

@@ -52,9 +52,9 @@ class Program:
         return errors_of(done.stderr)
 
     def start(self, output, overrides=LONG, ranks=1, options=()):
-        """Starts a run and returns when its history is there."""
+        """Starts a run and returns when the last of its files has its name."""
         process = subprocess.Popen(self.command(output, overrides, ranks, options), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        while not (self.folder / output / "history.csv").exists():
+        while not (self.folder / output / "results.vtkhdf").exists():
             assert process.poll() is None, process.communicate()
             time.sleep(0.01)
         return process

@@ -76,9 +76,12 @@ def main():
                 assert line.startswith("weavefront: error: " + beginning), (arguments, line)
             assert bool(result.stdout) == (status == 0), (arguments, result.stdout)
 
-            # What all ranks find alike is told by the first one, in its status too: a failure elsewhere would kill it before it has printed.
-            other_rank = call(program, *arguments, rank=1)
-            assert (other_rank.returncode, other_rank.stdout, other_rank.stderr) == (0, "", ""), (arguments, other_rank)
+            # What all ranks find alike is told by the first one. The others end in the same status, later: a launcher that sees
+            # one fail kills the first before it has printed. Commands of one process leave everything to the first.
+            if number % 4 == 3 or status == 0:
+                other_rank = call(program, *arguments, rank=1)
+                others = 0 if arguments[:1] in (["check"], ["cell"], ["yarn"]) else status
+                assert (other_rank.returncode, other_rank.stdout, other_rank.stderr) == (others, "", ""), (arguments, other_rank)
 
             # A few cases show the same with ranks.
             if number % 5 > 0:

@@ -34,13 +34,13 @@ ContactZone::ContactZone(const scene::Scene& scene) : end_(scene.time.end) {
     if (plies_) speed_ = share_of_speeds * std::cbrt(std::pow(largest_wave_speed(scene), 2) * speed_of(projectile.velocity));
 }
 
-double ContactZone::presence(double distance, double relief) const {
+double ContactZone::contact_time_share(double distance, double decay) const {
     double arrival = 1;  // over the time of the run
     if (distance < start_)
         arrival = 0;
     else if (speed_ > 0 && end_ > 0)
         arrival = std::min(1.0, (distance - start_) / (speed_ * end_));
-    return 1 - arrival - relief / 2 * (1 - arrival * arrival);
+    return 1 - arrival - decay / 2 * (1 - arrival * arrival);
 }
 
 std::vector<double> ContactZone::distances(const mesh::Panel& panel) const {

@@ -39,14 +39,14 @@ class Work {
           zone_(scene),
           distances_(zone_.distances(panel)),
           touch_(machine.touch * crowding(machine, decomposition.parts)),
-          relief_(machine.relief) {
+          relief_(machine.decay) {
         const double crowded = crowding(machine, decomposition.parts);
         const double watched = zone_.plies() ? machine.watch + renewals(scene, machine) * machine.search : 0;
         for (const auto& part : sizes)
             everywhere_.push_back(crowded * (static_cast<double>(part.columns) * plies_ * (machine.element + watched) +
                                              static_cast<double>(part.nodes) * machine.node));
         for (std::size_t c = 0; c < distances_.size(); ++c)
-            everywhere_[part_of(c)] += crowded * plies_ * zone_.pressing(distances_[c]) * machine.press;
+            everywhere_[part_of(c)] += crowded * plies_ * zone_.press_weight(distances_[c]) * machine.press;
     }
 
     [[nodiscard]] std::vector<double> at(int moment) const {

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "inactive_features.hpp"
 #include "launcher.hpp"
-#include "left_out.hpp"
 #include "memory.hpp"
 #include "overrides_option.hpp"
 #include "warnings.hpp"
@@ -108,7 +108,7 @@ void check(const Options& options) {
         print_time(scene, panel, *limits);
     else
         fmt::print("  time step  not computed: the target does not fit into the {} of this machine\n", bytes_text(memory_here()));
-    for (const auto& phrase : left_out(scene, 1)) fmt::print("  left out   {}\n", phrase);
+    for (const auto& phrase : inactive_features(scene, 1)) fmt::print("  left out   {}\n", phrase);
     for (const auto& phrase : phrases) fmt::print("warning: {}\n", phrase);
 }
 

@@ -49,7 +49,7 @@ std::vector<std::string> closing_warnings(const scene::Scene& scene, const solve
     std::vector<std::string> warnings;
     const auto& counts = simulation.counts();
     const double hourglass = counts.largest_hourglass, internal = counts.largest_internal;
-    if (hourglass > std::max(most_hourglass * internal, negligible * last.turnover))
+    if (hourglass > std::max(most_hourglass * internal, negligible * last.transferred_energy))
         warnings.push_back(
             fmt::format("the hourglass energy went up to {:.3g} J, that of the yarns to {:.3g} J: the fabric deforms as finely as its "
                         "elements, where a "

@@ -96,14 +96,14 @@ io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Fiel
     std::vector<CellField> cells;
     for (const auto& field : cell_fields())
         if (wanted(fields, field.field)) cells.push_back(field);
-    const auto elements = model.places.size();
+    const auto elements = model.slots.size();
     for (const auto& field : cells) frame.cell_data.push_back({field.name, 1, field.integer, std::vector<double>(elements), {}});
     io::Array joined{"joined", 1, true, std::vector<double>(elements), {}};
     frame.eroded.reserve(elements);
     for (std::size_t e = 0; e < elements; ++e) {
         joined.values[e] = fabric.has_element(model, e) ? 1 : 0;
-        const auto place = model.places[e];
-        frame.eroded.push_back(!model.groups[static_cast<std::size_t>(place.group)]->alive(place.index));
+        const auto slot = model.slots[e];
+        frame.eroded.push_back(!model.groups[static_cast<std::size_t>(slot.group)]->alive(slot.index));
         if (cells.empty()) continue;
         const auto output = model.output(static_cast<std::int32_t>(e));
         for (std::size_t c = 0; c < cells.size(); ++c) frame.cell_data[c].values[e] = cells[c].value(output);

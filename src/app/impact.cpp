@@ -50,10 +50,10 @@ class Schedule {
 
 }  // namespace
 
-class Impact::Parts {
+class Impact::Run {
   public:
-    Parts(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm, io::Terminal terminal,
-          std::optional<double> rebalance)
+    Run(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm, io::Terminal terminal,
+        std::optional<double> rebalance)
         : scene_(scene),
           comm_(comm),
           directory_(directory),
@@ -67,7 +67,7 @@ class Impact::Parts {
         if (rebalance) load_.emplace(scene, *rebalance);
     }
 
-    Ending to_the_end() {
+    Ending run() {
         publish();
         Ending ending;
         io::Progress progress(log_, scene_.time.end);
@@ -216,14 +216,14 @@ class Impact::Parts {
 
 Impact::Impact(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm, io::Terminal terminal,
                std::optional<double> rebalance) try
-    : parts_(std::make_unique<Parts>(scene, directory, comm, terminal, rebalance)) {
+    : run_(std::make_unique<Run>(scene, directory, comm, terminal, rebalance)) {
 } catch (const solver::GuardStop& stop) {
     throw GuardStop(stop.what());
 }
 
 Impact::~Impact() = default;
 
-Ending Impact::to_the_end() { return parts_->to_the_end(); }
+Ending Impact::run() { return run_->run(); }
 
 int columns_of(const scene::Scene& scene) { return static_cast<int>(mesh::make_panel(scene).columns()); }
 

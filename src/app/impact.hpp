@@ -18,7 +18,7 @@ class Impact {
   public:
     /// @param scene     must outlive this object
     /// @param directory for history.csv, results.vtkhdf, summary.json and run.log; what it holds of an earlier run stays until
-    /// `to_the_end`; must outlive this object
+    /// `run`; must outlive this object
     /// @param comm      ranks that compute it; must outlive this object
     /// @param terminal  whether the log is shown
     /// @param rebalance imbalance of the ranks above which columns move between them; none: they stay
@@ -30,11 +30,11 @@ class Impact {
     Impact& operator=(const Impact&) = delete;
 
     /// Computes to the end, or until a rank is sent a signal to stop, and writes everything. @throws Interrupted when that was sent before
-    [[nodiscard]] Ending to_the_end();
+    [[nodiscard]] Ending run();
 
   private:
-    class Parts;
-    std::unique_ptr<Parts> parts_;
+    class Run;
+    std::unique_ptr<Run> run_;
 };
 
 /// Refuses more ranks than columns of elements. @throws scene::InputError

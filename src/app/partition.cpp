@@ -13,10 +13,10 @@
 #include "output_file.hpp"
 #include "overrides_option.hpp"
 #include "partition/calibration.hpp"
+#include "partition/cpu_speed.hpp"
 #include "partition/machine_file.hpp"
-#include "partition/pace.hpp"
-#include "partition/ranks_apart.hpp"
 #include "partition/scaling_table.hpp"
+#include "partition/spread_ranks.hpp"
 #include "shared_text.hpp"
 #include "weavefront/io/replace_file.hpp"
 #include "weavefront/parallel/on_root.hpp"
@@ -75,7 +75,7 @@ void measure(const Options& options, const scene::Scene& scene, const parallel::
         const auto some = first_ranks(comm, ranks[i]);
         compute_apart(comm, some.has_value(), [&] {
             const auto steps = repeat_steps(scaled, *some, *some, options.repetitions);
-            if (comm.rank() == 0) rows[i].measured = steps.times.mean(), rows[i].pace = steps.pace / machine.pace;
+            if (comm.rank() == 0) rows[i].measured = steps.times.mean(), rows[i].slowdown = steps.reference_time / machine.reference_time;
         });
     }
 }

@@ -56,7 +56,7 @@ void run(const Options& options) {
     require_memory(mesh::make_panel(scene), comm);
     const auto path = options.output.empty() ? std::filesystem::path("runs") / options.scene.stem() : options.output;
     io::OutputDirectory directory(path, comm, options.overwrite ? io::Earlier::replaced : io::Earlier::refused);
-    const auto ending = Impact(scene, directory, comm, io::Terminal::shown, options.rebalance).to_the_end();
+    const auto ending = Impact(scene, directory, comm, io::Terminal::shown, options.rebalance).run();
     if (ending.kind == Ending::Kind::stopped) throw GuardStop(ending.reason);
     if (ending.kind == Ending::Kind::interrupted)
         throw Interrupted(fmt::format("{}: {} holds the run up to there", ending.reason, path.string()));

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "closing_warnings.hpp"
-#include "left_out.hpp"
+#include "inactive_features.hpp"
 #include "run_head.hpp"
 #include "versions.hpp"
 #include "warnings.hpp"
@@ -141,7 +141,7 @@ void RunReport::start(const solver::Simulation& simulation) {
     log_.info(fmt::format("  ranks         {}, {:.1f} MB in all for mesh and fabric", comm_.size(), static_cast<double>(bytes[0]) / 1e6));
     log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us", simulation.time_step() * 1e9,
                           scene_.time.end / simulation.time_step(), scene_.time.end * 1e6));
-    for (const auto& phrase : left_out(scene_, comm_.size())) log_.info("  left out      " + phrase);
+    for (const auto& phrase : inactive_features(scene_, comm_.size())) log_.info("  left out      " + phrase);
     for (const auto& phrase : warnings(scene_, panel, simulation.time_step())) log_.warn(phrase);
     tell_lack_of_shared_memory(simulation);
 }
@@ -201,7 +201,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     summary.broken_yarns = last.broken_yarns;
     summary.eroded_elements = last.eroded_elements;
     summary.first_break = first_breaks(simulation.counts(), comm_);
-    summary.left_out = left_out(scene_, comm_.size());
+    summary.left_out = inactive_features(scene_, comm_.size());
 
     log_.info(fmt::format("{}{} at t = {:.6g} us after {} steps: {}", static_cast<char>(std::toupper(summary.status[0])),
                           summary.status.substr(1), summary.time * 1e6, summary.steps, summary.reason));
@@ -214,7 +214,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     log_.info(fmt::format(
         "  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; fabric {:.3g} J, hourglass {:.3g} J, contact "
         "{:.3g} J",
-        simulation.counts().largest_closure * 100, last.turnover, last.internal, last.hourglass, last.contact));
+        simulation.counts().largest_closure_error * 100, last.transferred_energy, last.internal, last.hourglass, last.contact));
     for (const auto& warning : closing_warnings(scene_, simulation, last)) log_.warn(warning);
     tell_lack_of_shared_memory(simulation);
     for (const auto& phase : summary.wall_seconds)

@@ -79,13 +79,13 @@ class Bins {
 
 }  // namespace
 
-Candidates find_candidates(const Surface& surface, const Whereabouts& expected, double reach) {
+Candidates find_candidates(const Surface& surface, const SweptBounds& swept, double reach) {
     std::vector<Footprint> footprints(surface.facets.size());
     std::vector<std::vector<std::int32_t>> by_ply(surface.plies.size());
     double sum = 0, alive = 0;
     for (std::size_t f = 0; f < surface.facets.size(); ++f) {
         if (!surface.alive[f]) continue;
-        auto& one = footprints[f] = expected.of(surface.facets[f]);
+        auto& one = footprints[f] = swept.of(surface.facets[f]);
         by_ply[static_cast<std::size_t>(surface.facets[f].ply)].push_back(static_cast<std::int32_t>(f));
         sum += std::max(one.x_high - one.x_low, one.y_high - one.y_low);
         ++alive;
@@ -103,7 +103,7 @@ Candidates find_candidates(const Surface& surface, const Whereabouts& expected, 
         const bool same_side = (a < surface.owned) == (b < surface.owned);  // where local order is that of the ids
         return same_side ? a < b : id(a) < id(b);
     };
-    const auto on_rim = [&](std::int32_t f) { return surface.on_rim[static_cast<std::size_t>(f)] != 0; };
+    const auto on_free_edge = [&](std::int32_t f) { return surface.on_free_edge[static_cast<std::size_t>(f)] != 0; };
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
         const auto& footprint = footprints[static_cast<std::size_t>(f)];
@@ -113,7 +113,7 @@ Candidates find_candidates(const Surface& surface, const Whereabouts& expected, 
             bins[ply].find(footprint, reach, [&](std::int32_t other) { found.push_back(other); });
             std::ranges::sort(found, by_id);
             for (const auto other : found) candidates.add(other);
-            look_behind = !surface.on_rim.empty() && (found.empty() || std::ranges::any_of(found, on_rim));
+            look_behind = !surface.on_free_edge.empty() && (found.empty() || std::ranges::any_of(found, on_free_edge));
         }
         candidates.end_list();
     }

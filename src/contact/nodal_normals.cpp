@@ -27,14 +27,14 @@ void NodalNormals::rebuild(const Surface& surface, std::size_t nodes) {
         around_.end_list();
     }
     around_.shrink_to_fit();
-    places_.resize(nodes);
+    slots_.resize(nodes);
     computed_.clear();
 }
 
 Vec3 NodalNormals::at(std::int32_t node, const Surface& surface, std::span<const Vec3> x) {
     const auto n = static_cast<std::size_t>(node);
-    const auto place = static_cast<std::size_t>(places_[n]);
-    if (place < computed_.size() && computed_[place].node == node) return computed_[place].normal;
+    const auto slot = static_cast<std::size_t>(slots_[n]);
+    if (slot < computed_.size() && computed_[slot].node == node) return computed_[slot].normal;
     Vec3 sum = Vec3::Zero();
     for (const auto facet : around_.of(node)) {
         const auto f = static_cast<std::size_t>(facet);
@@ -48,7 +48,7 @@ Vec3 NodalNormals::at(std::int32_t node, const Surface& surface, std::span<const
             sum *= 2;
             sum[d] = 0;
         }
-    places_[n] = static_cast<std::int32_t>(computed_.size());
+    slots_[n] = static_cast<std::int32_t>(computed_.size());
     computed_.push_back({sum, node});
     return sum;
 }

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <limits>
 
-#include "weavefront/contact/outlook.hpp"
+#include "weavefront/contact/clearance_query.hpp"
 
 namespace weavefront::contact {
 
 namespace {
 
-// Of the touching distance. A facet with less room than is worth waiting for is evaluated in every step, until others have approached so
+// Of the touching distance. A facet with less clear than is worth waiting for is evaluated in every step, until others have approached so
 // far that looking again is worth while.
-constexpr double worth_waiting_in_touching = 0.001, look_again_in_touching = 0.015;
+constexpr double worth_waiting_in_distance = 0.001, look_again_in_distance = 0.015;
 
-// A facet waits for its own candidates rather than for those of its group where the group's last step would use up its room in fewer steps
+// A facet waits for its own candidates rather than for those of its group where the group's last step would use up its clear in fewer steps
 // than this: to follow its own for a step takes about a tenth of the time of a look.
 constexpr double own_in_steps = 10;
 
@@ -54,13 +54,13 @@ LaneMask all_of(const QuadratureBatch& batch) {
 }  // namespace
 
 PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
-    : touching_(surface.plies),
+    : distances_(surface.plies),
       quadrature_(spacing, most_points_along_edge),
-      approach_(surface, x),
-      watches_(static_cast<std::size_t>(surface.owned)),
-      due_(static_cast<std::size_t>(approach_.groups())),
-      memory_(watches_.size()),
-      reserves_(watches_.size()) {
+      relative_motion_(surface, x),
+      culling_(static_cast<std::size_t>(surface.owned)),
+      due_(static_cast<std::size_t>(relative_motion_.groups())),
+      memory_(culling_.size()),
+      dissipated_budgets_(culling_.size()) {
     // A law for each pair of plies would take room with the square of their number.
     std::vector<double> densities;
     for (const auto& ply : surface.plies) {
@@ -71,76 +71,76 @@ PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spaci
     different_weights_ = densities.size();
     for (const double one : densities)
         for (const double other : densities) laws_.emplace_back(law, one * other / (one + other));
-    rules_.reserve(watches_.size());
-    for (std::size_t f = 0; f < watches_.size(); ++f)
+    rules_.reserve(culling_.size());
+    for (std::size_t f = 0; f < culling_.size(); ++f)
         rules_.push_back(static_cast<std::uint8_t>(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x))));
 }
 
-void PlyContact::update_candidates(const Surface& surface, const Whereabouts& expected, std::span<const Vec3> x, double skin) {
+void PlyContact::update_candidates(const Surface& surface, const SweptBounds& swept, std::span<const Vec3> x, double skin) {
     candidates_ = {};  // before others take room
-    candidates_ = find_candidates(surface, expected, touching_.depth() + skin);
-    approach_.rebuild(surface, candidates_, x);
-    for (std::int32_t g = 0; g < approach_.groups(); ++g)
-        for (std::size_t k = 0; k < watches(g).size(); ++k) {
-            auto& watch = watches(g)[k];
-            const auto f = approach_.facets(g)[k];
+    candidates_ = find_candidates(surface, swept, distances_.max_penetration() + skin);
+    relative_motion_.rebuild(surface, candidates_, x);
+    for (std::int32_t g = 0; g < relative_motion_.groups(); ++g)
+        for (std::size_t k = 0; k < culling_states(g).size(); ++k) {
+            auto& state = culling_states(g)[k];
+            const auto f = relative_motion_.facets(g)[k];
             const auto candidates = candidates_.of(f);
             const auto ply = surface.facets[static_cast<std::size_t>(f)].ply;
-            // Candidates have new places, and through a hole a facet may meet what it was not known to be clear of.
+            // Candidates have new slots, and through a hole a facet may meet what it was not known to be clear of.
             const bool through_hole = !candidates.empty() && surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1;
-            if (watch.waits != Waits::for_group || through_hole) watch = {};
-            watch.first = -1;
-            watch.near = {};
+            if (state.culled != Culled::by_group || through_hole) state = {};
+            state.first = -1;
+            state.near = {};
             if (!surface.alive[static_cast<std::size_t>(f)]) memory_.forget(f);
         }
     std::ranges::fill(due_, 0);
 }
 
 double PlyContact::own_approach(std::int32_t f, const Shortlist& near, const Now& now) const {
-    if (near.places == 0) return 0;
+    if (near.slots == 0) return 0;
     const auto box_of = [&](std::int32_t facet) { return NodeBox(now.v, now.surface.facets[static_cast<std::size_t>(facet)].nodes); };
     auto others = NodeBox::none();
-    candidates_.of(f).visit_some(near.places, [&](std::int32_t candidate) {
+    candidates_.of(f).visit_some(near.slots, [&](std::int32_t candidate) {
         others.add(box_of(candidate));
         return true;
     });
     return now.dt * std::sqrt(box_of(f).squared_difference(others));
 }
 
-bool PlyContact::is_over(Watch& watch, std::int32_t f, double so_far, const Now& now) const {
-    if (watch.waits != Waits::for_own) return so_far >= watch.until;
-    if (so_far >= watch.near.until) return true;
-    watch.until = not_above(watch.until - own_approach(f, watch.near, now));
-    return watch.until <= 0;
+bool PlyContact::expired(CullingState& state, std::int32_t f, double accumulated, const Now& now) const {
+    if (state.culled != Culled::by_candidates) return accumulated >= state.until;
+    if (accumulated >= state.near.until) return true;
+    state.until = not_above(state.until - own_approach(f, state.near, now));
+    return state.until <= 0;
 }
 
-void PlyContact::look_around(std::int32_t f, Watch& watch, std::int32_t group, const Now& now) {
+void PlyContact::recheck(std::int32_t f, CullingState& state, std::int32_t group, const Now& now) {
     const auto& facet = now.surface.facets[static_cast<std::size_t>(f)];
     const auto corners = corners_of(facet.nodes, now.x);
     const auto candidates = candidates_.of(f);
     const auto rule = rules_[static_cast<std::size_t>(f)];
-    const Viewpoints points(quadrature_.rule(rule), corners, quadrature_.spanned(rule, corners));
-    const Outlook outlook{facet.ply, points, candidates, now.surface, touching_, now.x};
-    const double so_far = approach_.so_far(group), enough = worth_waiting_in_touching * touching_.most();
+    const ContactPoints points(quadrature_.rule(rule), corners, quadrature_.spanned(rule, corners));
+    const ClearanceQuery query{facet.ply, points, candidates, now.surface, distances_, now.x};
+    const double accumulated = relative_motion_.accumulated(group), worthwhile = worth_waiting_in_distance * distances_.most();
     const bool remembers = memory_.holds(f);  // as long as it does it is evaluated
-    const double room = remembers ? 0 : room_around(outlook, watch.first, watch.near, so_far, enough);
-    if (room > own_in_steps * approach_.of_last_step(group)) {
-        watch.waits = Waits::for_group;
-        watch.until = not_above(so_far + room);
-    } else if (room > 0) {
-        watch.waits = Waits::for_own;
-        watch.until = not_above(room);
+    const double clear = remembers ? 0 : clearance(query, state.first, state.near, accumulated, worthwhile);
+    if (clear > own_in_steps * relative_motion_.of_last_step(group)) {
+        state.culled = Culled::by_group;
+        state.until = not_above(accumulated + clear);
+    } else if (clear > 0) {
+        state.culled = Culled::by_candidates;
+        state.until = not_above(clear);
     } else {
-        watch.waits = Waits::not_at_all;
+        state.culled = Culled::no;
     }
-    const bool waits = watch.waits != Waits::not_at_all;
-    if (waits && watch.first >= 0) return;
-    const auto nearest = find_nearest(outlook, centre_of(corners));
-    watch.first = waits || nearest.lead > enough ? nearest.facet : -1;
-    if (waits) return;
-    const double again = look_again_in_touching * touching_.most();
+    const bool is_culled = state.culled != Culled::no;
+    if (is_culled && state.first >= 0) return;
+    const auto nearest = find_nearest(query, centre_of(corners));
+    state.first = is_culled || nearest.lead > worthwhile ? nearest.facet : -1;
+    if (is_culled) return;
+    const double again = look_again_in_distance * distances_.most();
     const double known = remembers ? nearest.lead : std::min(nearest.lead, again);
-    watch.until = not_above(so_far + (watch.first < 0 ? again : known));
+    state.until = not_above(accumulated + (state.first < 0 ? again : known));
 }
 
 // A point takes what it meets first in the order of near facets. Nearly always that is the first of all candidates: the others are looked
@@ -149,32 +149,34 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
     const auto& facet = now.surface.facets[static_cast<std::size_t>(f)];
     const auto& rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]);
     const auto corners = corners_of(facet.nodes, now.x);
-    FacetLines lines(rule, corners, now.normals.of(facet, now.surface, now.x), touching_.depth(), touching_.most());
+    NormalRays rays(rule, corners, now.normals.of(facet, now.surface, now.x), distances_.max_penetration(), distances_.most());
     const auto candidates = candidates_.of(f);
     bool complete = first < 0;
-    near_.start(facet, corners);
-    const FacetRun only_first{first, 1};
-    near_.add(complete ? candidates : FacetRuns({&only_first, 1}), lines, now.surface, touching_, now.x);
-    pair_of_.assign(near_.size(), -1);
-    auto& reserve = reserves_[static_cast<std::size_t>(f)];
-    Slave slave{
-        .facet = f, .velocities = corners_of(facet.nodes, now.v), .points = memory_.recall(f), .around = {reserve, now.sliding_share}};
+    targets_.start(facet, corners);
+    const FacetRange only_first{first, 1};
+    targets_.add(complete ? candidates : FacetRanges({&only_first, 1}), rays, now.surface, distances_, now.x);
+    pair_of_.assign(targets_.size(), -1);
+    auto& dissipated_budget = dissipated_budgets_[static_cast<std::size_t>(f)];
+    Slave slave{.facet = f,
+                .velocities = corners_of(facet.nodes, now.v),
+                .points = memory_.recall(f),
+                .around = {dissipated_budget, now.sliding_share}};
     for (std::size_t b = 0; b < rule.size(); ++b) {
         auto& points = slave.points[b];
         auto open = all_of(rule[b]);
         for (std::size_t k = 0; any(open); ++k) {
-            if (k == near_.size() && !complete) {
-                near_.add(candidates, lines, now.surface, touching_, now.x);
-                pair_of_.resize(near_.size(), -1);
+            if (k == targets_.size() && !complete) {
+                targets_.add(candidates, rays, now.surface, distances_, now.x);
+                pair_of_.resize(targets_.size(), -1);
                 complete = true;
             }
-            if (k == near_.size()) break;
-            press(slave, rule[b], lines.rays[b], points, k, open, now, forces);
+            if (k == targets_.size()) break;
+            press(slave, rule[b], rays.batches[b], points, k, open, now, forces);
         }
         for (std::size_t i = 0; i < batch_width; ++i)
             if (open[i]) points.overlap[i] = points.ignored[i] = points.opened[i] = 0;
     }
-    reserve += slave.sum.gained;
+    dissipated_budget += slave.sum.dissipated;
     if (slave.sum.sliding.is_any()) forces.sliding.push_back(slave.sum.sliding.times(now.surface.areas[static_cast<std::size_t>(f)]));
     if (slave.touching)
         memory_.keep(f, slave.points);
@@ -185,9 +187,9 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
 void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near,
                        LaneMask& open, const Now& now, ContactForces& forces) {
     const auto& facet = now.surface.facets[static_cast<std::size_t>(slave.facet)];
-    const auto& other = now.surface.facets[static_cast<std::size_t>(near_[near])];
-    const auto hits = meet(rays, corners_of(other.nodes, now.x));
-    const double reach = touching_.between(facet.ply, other.ply), depth = touching_.depth();
+    const auto& other = now.surface.facets[static_cast<std::size_t>(targets_[near])];
+    const auto hits = intersect(rays, corners_of(other.nodes, now.x));
+    const double reach = distances_.between(facet.ply, other.ply), depth = distances_.max_penetration();
     Lanes overlap;
     LaneMask met, matters;
     for (std::size_t i = 0; i < batch_width; ++i) {
@@ -221,36 +223,36 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& r
 }
 
 void PlyContact::evaluate_group(std::int32_t g, const Now& now, ContactForces& forces) {
-    const double so_far = approach_.so_far(g);
+    const double accumulated = relative_motion_.accumulated(g);
     auto& due = due_[static_cast<std::size_t>(g)];
-    if (so_far < due) return;
+    if (accumulated < due) return;
     due = std::numeric_limits<double>::max();
-    const auto of_group = watches(g);
-    const auto facets = approach_.facets(g);
+    const auto of_group = culling_states(g);
+    const auto facets = relative_motion_.facets(g);
     for (std::size_t k = 0; k < of_group.size(); ++k) {
-        auto& watch = of_group[k];
+        auto& state = of_group[k];
         const auto f = facets[k];
         if (!now.surface.alive[static_cast<std::size_t>(f)]) continue;
-        if (is_over(watch, f, so_far, now)) look_around(f, watch, g, now);
-        if (watch.waits == Waits::not_at_all) {
+        if (expired(state, f, accumulated, now)) recheck(f, state, g, now);
+        if (state.culled == Culled::no) {
             const bool remembered = memory_.holds(f);
-            evaluate_facet(f, watch.first, now, forces);
-            if (remembered && !memory_.holds(f)) watch.until = 0;  // it may be clear from now on
+            evaluate_facet(f, state.first, now, forces);
+            if (remembered && !memory_.holds(f)) state.until = 0;  // it may be clear from now on
         }
-        due = std::min(due, watch.waits == Waits::for_group ? static_cast<double>(watch.until) : so_far);
+        due = std::min(due, state.culled == Culled::by_group ? static_cast<double>(state.until) : accumulated);
     }
 }
 
 void PlyContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
                           double sliding_share, ContactForces& forces) {
-    approach_.advance(v, dt);
-    for (std::int32_t g = 0; g < approach_.groups(); ++g) evaluate_group(g, {surface, normals, x, v, dt, sliding_share}, forces);
+    relative_motion_.advance(v, dt);
+    for (std::int32_t g = 0; g < relative_motion_.groups(); ++g) evaluate_group(g, {surface, normals, x, v, dt, sliding_share}, forces);
 }
 
 std::vector<std::int32_t> PlyContact::behind_next_ply(const Surface& surface, std::span<const Vec3> x) const {
     const auto counts = [&](std::int32_t f) {
         const auto i = static_cast<std::size_t>(f);
-        return surface.alive[i] && (surface.on_rim.empty() || !surface.on_rim[i]);
+        return surface.alive[i] && (surface.on_free_edge.empty() || !surface.on_free_edge[i]);
     };
     std::vector<std::int32_t> behind;
     for (std::int32_t f = 0; f < surface.owned; ++f) {
@@ -262,8 +264,8 @@ std::vector<std::int32_t> PlyContact::behind_next_ply(const Surface& surface, st
         for (const auto other : candidates_.of(f)) {
             const auto& of_next = surface.facets[static_cast<std::size_t>(other)];
             if (of_next.ply != facet.ply + 1 || !counts(other)) continue;
-            const auto hits = meet(ray, corners_of(of_next.nodes, x));
-            if (!hits.hit[0] || hits.distance[0] > -touching_.between(facet.ply, of_next.ply)) continue;
+            const auto hits = intersect(ray, corners_of(of_next.nodes, x));
+            if (!hits.hit[0] || hits.distance[0] > -distances_.between(facet.ply, of_next.ply)) continue;
             behind.push_back(f);
             break;
         }
@@ -272,7 +274,7 @@ std::vector<std::int32_t> PlyContact::behind_next_ply(const Surface& surface, st
 }
 
 void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {
-    record.insert(record.end(), {reserves_[static_cast<std::size_t>(facet)], memory_.holds(facet) ? 1.0 : 0.0});
+    record.insert(record.end(), {dissipated_budgets_[static_cast<std::size_t>(facet)], memory_.holds(facet) ? 1.0 : 0.0});
     if (!memory_.holds(facet)) return;
     for (const auto& points : memory_.recall(facet))
         for (const auto* lanes : {&points.overlap, &points.ignored, &points.opened})
@@ -281,7 +283,7 @@ void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {
 
 std::span<const double> PlyContact::restore(std::int32_t facet, std::span<const double> record) {
     auto next = record.begin();
-    reserves_[static_cast<std::size_t>(facet)] = *next++;
+    dissipated_budgets_[static_cast<std::size_t>(facet)] = *next++;
     if (*next++ == 0) return {next, record.end()};
     FacetPoints all;
     for (auto& points : all)

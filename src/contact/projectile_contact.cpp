@@ -25,7 +25,7 @@ ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const 
     }
 }
 
-void ProjectileContact::update_candidates(const Surface& surface, const Whereabouts& expected, const Footprint& way, double skin) {
+void ProjectileContact::update_candidates(const Surface& surface, const SweptBounds& swept, const Footprint& way, double skin) {
     candidates_.clear();
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
@@ -33,7 +33,7 @@ void ProjectileContact::update_candidates(const Surface& surface, const Whereabo
             memories_.forget(f);
             continue;
         }
-        if (way.near(expected.of(facet), shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin)) candidates_.push_back(f);
+        if (way.near(swept.of(facet), shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin)) candidates_.push_back(f);
     }
 }
 

@@ -36,8 +36,8 @@ Vec3 ProjectileOnFrame::evaluate(const ProjectileState& projectile, double dt) {
         }
         const double closing = -projectile.velocity.dot(found->normal);
         const RelativeMotion motion{closing, closing, projectile.velocity.norm()};
-        const auto pressed = law_.advance(bar.penetration, found->depth, motion, dt, 1, {.reserve = 0, .sliding_share = 1});
-        force += pressed.pressure * area_ * found->normal;
+        const auto response = law_.advance(bar.penetration, found->depth, motion, dt, 1, {.dissipated_budget = 0, .sliding_share = 1});
+        force += response.pressure * area_ * found->normal;
     }
     return force;
 }

@@ -25,7 +25,7 @@ Rays one_ray(const Vec3& origin, const Vec3& direction) {
 //     xi - eta = d0 + d3 m,    xi + eta = s0 + s3 m,    m = xi eta,
 // and 4 m = (xi + eta)^2 - (xi - eta)^2 leaves a quadratic for m. Its slope at a root has the sign of minus the map's Jacobian, so one root
 // is the point of the facet and the other lies where the map is turned over.
-RayHits meet(const Rays& rays, const std::array<Vec3, 4>& corners) {
+RayHits intersect(const Rays& rays, const std::array<Vec3, 4>& corners) {
     const Vec3 e = corners[2] - corners[0], f = corners[3] - corners[1], normal = e.cross(f);
     const Vec3 c0 = (corners[0] + corners[1] + corners[2] + corners[3]) / 4, c1 = (corners[1] + corners[2] - corners[0] - corners[3]) / 4,
                c2 = (corners[2] + corners[3] - corners[0] - corners[1]) / 4, c3 = (corners[0] + corners[2] - corners[1] - corners[3]) / 4;

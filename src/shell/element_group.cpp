@@ -39,8 +39,8 @@ ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupEle
     state_.resize(lanes * static_cast<std::size_t>(sizes.changing));
     hourglass_energy_.resize(lanes);
     for (std::size_t i = 0; i < lanes; ++i) {
-        // Lanes beyond the last element have the geometry of the next period's start, and so need the nodes of an element there.
-        const auto& source = elements[i < elements.size() ? i : i % static_cast<std::size_t>(quads_.period())];
+        // Lanes beyond the last element have the geometry of the next repeat's start, and so need the nodes of an element there.
+        const auto& source = elements[i < elements.size() ? i : i % static_cast<std::size_t>(quads_.repeat_length())];
         const auto index = static_cast<std::int32_t>(i);
         for (std::size_t a = 0; a < 4; ++a) nodes_[i / pack_width][a][i % pack_width] = source.nodes[a];
         if (i < elements.size() && (runs_.empty() || source.element != element(index))) runs_.push_back({index, source.element});
@@ -51,11 +51,11 @@ ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupEle
     runs_.shrink_to_fit();
 }
 
-void ElementGroup::sharpen(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const {
-    SharperBounds own = start.least;
-    sharpen_uniform(start, x, own);
-    for (std::size_t i = 0; i < lendings.size(); ++i) {
-        const double poorest = 1 - std::abs(lendings[i].mass);
+void ElementGroup::tighten(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const {
+    TightBounds own = start.least;
+    tighten_uniform(start, x, own);
+    for (std::size_t i = 0; i < null_lagrangians.size(); ++i) {
+        const double poorest = 1 - std::abs(null_lagrangians[i].mass);
         bounds[i] = std::max(bounds[i], with_hourglass(parallelograms_, own[i], start.hourglass / poorest));
     }
 }
@@ -92,7 +92,7 @@ void ElementGroup::save(std::int32_t index, std::vector<double>& record) const {
 
 std::span<const double> ElementGroup::restore(std::int32_t index, std::span<const double> record) {
     for (auto filling = size_; filling < packs_ * pack_width; ++filling)
-        if (filling % quads_.period() == index) {
+        if (filling % quads_.repeat_length() == index) {
             write(filling, record);
             if (damage_.fields() > 0) take_out(filling);
         }

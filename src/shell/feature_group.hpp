@@ -41,7 +41,7 @@ class FeatureGroup final : public ElementGroup {
         for_packs(first, count, [&](std::int32_t pack, std::int32_t at) {
             advance_pack(pack, at, x, forces.data() + static_cast<std::size_t>(pack - first) * forces_per_pack, events);
             if constexpr (F.crimp && !F.paper())
-                if (watch_.slack < std::numeric_limits<double>::infinity()) note_straightening(pack, at);
+                if (trigger_.slack < std::numeric_limits<double>::infinity()) note_straightening(pack, at);
         });
     }
 
@@ -53,21 +53,21 @@ class FeatureGroup final : public ElementGroup {
             const auto alive = quad.area > 0.0;
             const auto bounds =
                 critical_frequencies(quad, fabric::stiffness_bound<F>(constants_, state), state, hourglass_, areal_density_);
-            raise(highest.along, alive, bounds.along);
-            raise(highest.across, alive, bounds.across);
+            raise(highest.in_plane, alive, bounds.in_plane);
+            raise(highest.out_of_plane, alive, bounds.out_of_plane);
             raise(highest.hourglass, alive, bounds.hourglass);
         });
-        return {largest_lane(highest.along), largest_lane(highest.across), largest_lane(highest.hourglass)};
+        return {largest_lane(highest.in_plane), largest_lane(highest.out_of_plane), largest_lane(highest.hourglass)};
     }
 
     [[nodiscard]] bool is_crimped() const override { return F.crimp && !F.paper(); }
     [[nodiscard]] bool is_packed() const override { return F.lateral && !F.paper() && packing_.any(); }
 
-    [[nodiscard]] double slack_frequency(const Lending& lending, double smallest_area) const override {
+    [[nodiscard]] double slack_frequency(const NullLagrangian& term, double smallest_area) const override {
         double highest = 0;
         if constexpr (F.crimp && !F.paper())
             for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
-                highest = std::max(highest, largest_lane(slack_form(pack, at, lending, smallest_area).largest_eigenvalue()));
+                highest = std::max(highest, largest_lane(slack_form(pack, at, term, smallest_area).largest_eigenvalue()));
             });
         return highest;
     }
@@ -113,13 +113,13 @@ class FeatureGroup final : public ElementGroup {
     }
 
   private:
-    void sharpen_uniform(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const override {
+    void tighten_uniform(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const override {
         if constexpr (F.paper()) {  // the printed stresses derive from no energy and have no such tangent
             bounds.fill(start.limit);
         } else {
             for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
                 if (std::ranges::any_of(bounds, [&](double bound) { return bound < start.limit; }))
-                    sharpen(pack, at, start, gather(pack, x), bounds);
+                    tighten(pack, at, start, gather(pack, x), bounds);
             });
         }
     }
@@ -152,14 +152,14 @@ class FeatureGroup final : public ElementGroup {
         }
     };
 
-    [[nodiscard]] WEAVEFRONT_INLINE SlackForm slack_form(std::int32_t pack, std::int32_t at, const Lending& lending,
+    [[nodiscard]] WEAVEFRONT_INLINE SlackForm slack_form(std::int32_t pack, std::int32_t at, const NullLagrangian& term,
                                                          double smallest_area) const {
         auto quad = quads_.pack_from(at);
         const auto state = load(pack, quad);
         const auto alive = quad.area > 0.0;
-        const auto G = lending.mass == 0 ? gradient_products(quad) : lent_products(lending.mass, quad, alive, smallest_area);
+        const auto G = term.mass == 0 ? gradient_products(quad) : redistributed_products(term.mass, quad, alive, smallest_area);
         const double bar = constants_.instant_modulus * constants_.area * constants_.inverse_length;
-        const double c = 2 * lending.coupling * coupling_at_rest_ / bar;
+        const double c = 2 * term.coupling * coupling_at_rest_ / bar;
         Pack k = 2 * bar / areal_density_;
         if constexpr (F.failure) k = k * (state.intact_f * state.intact_w);
         const Pack a_f = (0.5 * constants_.span) * state.lambda_f, a_w = (0.5 * constants_.span) * state.lambda_w;
@@ -174,20 +174,20 @@ class FeatureGroup final : public ElementGroup {
 
     void note_straightening(std::int32_t pack, std::int32_t at) {
         if (has_straightened_) return;
-        has_straightened_ = fabric::any(slack_form(pack, at, watch_.lending, watch_.smallest_area).above(watch_.slack));
+        has_straightened_ = fabric::any(slack_form(pack, at, trigger_.term, trigger_.smallest_area).above(trigger_.slack));
     }
 
-    /// A pack on the way to its sharper bounds.
-    struct Sharpened {
+    /// A pack on the way to its tighter bounds.
+    struct Tightened {
         fabric::Mask alive;
         MembraneForm<Pack> form;
         Pack c;       ///< coupling as seen in the element's plane, N/m
-        Pack tilted;  ///< square of what the coupling makes of the element's tilt, between motion along and across, 1/s4
-        double across;
+        Pack tilted;  ///< square of what the coupling makes of the element's tilt, between motion in the plane and out of it, 1/s4
+        double out_of_plane;
 
         /// Whether omega_squared is no bound.
         [[nodiscard]] WEAVEFRONT_INLINE fabric::Mask above(double omega_squared) const {
-            const Pack rest = omega_squared - across;
+            const Pack rest = omega_squared - out_of_plane;
             const auto is_tilted = tilted > 0.0;
             const Pack in_plane = omega_squared - select(is_tilted, Pack(tilted / rest), Pack(0.0));
             return alive & ((is_tilted & (rest <= 0.0)) | exceeds(form, in_plane, c));
@@ -199,14 +199,14 @@ class FeatureGroup final : public ElementGroup {
             const MembraneForm<double> of_lane{get(form.ff11), get(form.ff12), get(form.ff22), get(form.fw11),
                                                get(form.fw12), get(form.fw21), get(form.fw22), get(form.ww11),
                                                get(form.ww12), get(form.ww22), get(form.area)};
-            const double in_plane = largest_eigenvalue(of_lane, get(c)), half = (in_plane - across) / 2;
-            const double both = get(tilted) > 0 ? (in_plane + across) / 2 + std::sqrt(half * half + get(tilted)) : in_plane;
+            const double in_plane = largest_eigenvalue(of_lane, get(c)), half = (in_plane - out_of_plane) / 2;
+            const double both = get(tilted) > 0 ? (in_plane + out_of_plane) / 2 + std::sqrt(half * half + get(tilted)) : in_plane;
             return in_steps(both * (1 - 1e-12));
         }
     };
 
-    void sharpen(std::int32_t pack, std::int32_t at, const SharpeningStart& start, const std::array<Vector<Pack>, 4>& x,
-                 SharperBounds& bounds) const {
+    void tighten(std::int32_t pack, std::int32_t at, const TighteningStart& start, const std::array<Vector<Pack>, 4>& x,
+                 TightBounds& bounds) const {
         auto quad = quads_.pack_from(at);
         const auto state = load(pack, quad);
         const auto alive = quad.area > 0.0;
@@ -218,37 +218,38 @@ class FeatureGroup final : public ElementGroup {
         const Pack cosine = dot(k.g_f, k.g_w) * inverse, sine = length * inverse;
         const Pack lean = (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
         const auto even = membrane_form(tangent, cosine, sine, gradient_products(quad), areal_density_);
-        for (std::size_t i = 0; i < lendings.size(); ++i) {
+        for (std::size_t i = 0; i < null_lagrangians.size(); ++i) {
             if (bounds[i] >= start.limit) continue;
-            const double c = lendings[i].coupling * coupling_at_rest_, m = lendings[i].mass;
-            Sharpened sharpened{.alive = alive, .form = even, .c = c * lean, .tilted = 0.0, .across = start.across};
+            const double c = null_lagrangians[i].coupling * coupling_at_rest_, m = null_lagrangians[i].mass;
+            Tightened tightened{.alive = alive, .form = even, .c = c * lean, .tilted = 0.0, .out_of_plane = start.out_of_plane};
             if (c > 0) {
                 const Pack area = c * even.area;
-                sharpened.tilted = area * area * fabric::max(Pack(1.0 - lean * lean), Pack(0.0));
+                tightened.tilted = area * area * fabric::max(Pack(1.0 - lean * lean), Pack(0.0));
             }
             if (m != 0)
-                sharpened.form = membrane_form(tangent, cosine, sine, lent_products(m, quad, alive, start.smallest_area), areal_density_);
-            raise(bounds[i], sharpened, start.limit);
+                tightened.form =
+                    membrane_form(tangent, cosine, sine, redistributed_products(m, quad, alive, start.smallest_area), areal_density_);
+            raise(bounds[i], tightened, start.limit);
         }
     }
 
-    /// Gradient products with mass lent. A corner of the panel has no neighbour that would lend to it: its part there stays a quarter,
+    /// Gradient products with redistributed mass. A corner of the panel has no neighbour to give it mass: its part there stays a quarter,
     /// which is allowed for at one corner of every element.
-    [[nodiscard]] static std::array<Pack, 3> lent_products(double mass, const Quad<Pack>& quad, const fabric::Mask& alive,
-                                                           double smallest_area) {
-        const Pack lent = std::abs(mass) * smallest_area / select(alive, quad.area, Pack(smallest_area));
-        const Pack richer = 0.5 + 0.5 / (1.0 + lent), poorer = 1.0 / (1.0 - lent);
+    [[nodiscard]] static std::array<Pack, 3> redistributed_products(double mass, const Quad<Pack>& quad, const fabric::Mask& alive,
+                                                                    double smallest_area) {
+        const Pack moved = std::abs(mass) * smallest_area / select(alive, quad.area, Pack(smallest_area));
+        const Pack richer = 0.5 + 0.5 / (1.0 + moved), poorer = 1.0 / (1.0 - moved);
         return mass > 0 ? gradient_products(quad, richer, poorer) : gradient_products(quad, poorer, richer);
     }
 
     /// Raises `known` to the first step that bounds the pack: one step after the other, or, where these are many, by eigenvalues.
-    static void raise(double& known, const Sharpened& sharpened, double limit) {
+    static void raise(double& known, const Tightened& tightened, double limit) {
         constexpr int single_steps = 16;
         int steps = 0;
-        for (auto above = sharpened.above(known); fabric::any(above); above = sharpened.above(known)) {
+        for (auto above = tightened.above(known); fabric::any(above); above = tightened.above(known)) {
             double higher = in_steps(known * (1 + 1e-9));
             for (int lane = 0; lane < pack_width && steps >= single_steps; ++lane) {
-                const double bound = above.get(lane) ? sharpened.bound(lane) : 0.0;
+                const double bound = above.get(lane) ? tightened.bound(lane) : 0.0;
                 higher = bound < limit ? std::max(higher, bound) : limit;  // also where it is not a number
             }
             ++steps;
@@ -260,11 +261,11 @@ class FeatureGroup final : public ElementGroup {
     /// Calls with each pack and with the place of its geometry.
     template <class Call>
     void for_packs(std::int32_t first, std::int32_t count, Call call) const {
-        auto at = first * pack_width % quads_.period();
+        auto at = first * pack_width % quads_.repeat_length();
         for (auto pack = first; pack < first + count; ++pack) {
             call(pack, at);
             at += pack_width;
-            if (at >= quads_.period()) at %= quads_.period();
+            if (at >= quads_.repeat_length()) at %= quads_.repeat_length();
         }
     }
 

@@ -21,13 +21,13 @@ constexpr double resolved = 0x1p-20;
 
 void require_balance(const Balance& balance, double limit, std::int64_t step) {
     const auto when = fmt::format("at t = {:.6g} us, step {} (limits.energy_error allows {:.3g} %)", balance.time * 1e6, step, limit * 100);
-    if (std::abs(balance.closure) > limit)
+    if (std::abs(balance.closure_error) > limit)
         throw GuardStop(fmt::format("the energy balance is off by {:.3g} % of the {:.3g} J that the projectile has handed over {}",
-                                    balance.closure * 100, balance.turnover, when));
+                                    balance.closure_error * 100, balance.transferred_energy, when));
     const auto require_taken = [&](const char* what, double energy) {
-        if (energy < -limit * balance.turnover)
+        if (energy < -limit * balance.transferred_energy)
             throw GuardStop(fmt::format("{} given {:.3g} J more than {} had taken, of {:.3g} J that the projectile has handed over {}",
-                                        what, -energy, what[0] == 'y' ? "they" : "it", balance.turnover, when));
+                                        what, -energy, what[0] == 'y' ? "they" : "it", balance.transferred_energy, when));
     };
     require_taken("yarns have", balance.internal);
     require_taken("friction has", balance.friction);
@@ -83,7 +83,7 @@ void Simulation::add_nodal_energies(LedgerSums& sums) const {
         }
     for (; n < count; ++n) {
         if (!nodes.owned[n]) continue;
-        const Vec3 next = next_velocity(n), acceleration = (next - nodes.v[n]) / step;
+        const Vec3 next = updated_velocity(n), acceleration = (next - nodes.v[n]) / step;
         sums.add(LedgerSums::kinetic, nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
         if (scene_.damping > 0) sums.add(LedgerSums::damping, damping_work(n, next, last_dt_, 0));
     }
@@ -112,7 +112,7 @@ void Simulation::add_element_energies(LedgerSums& sums) const {
 Simulation::Displacements Simulation::displacements(LedgerSums& sums) const {
     const auto& nodes = model_.nodes;
     const auto& heights = nodes.initial.heights;
-    const auto of_ply = nodes.initial.in_plane.period.size();
+    const auto of_ply = nodes.initial.in_plane.one_ply.size();
     Displacements largest;
     for (std::size_t ply = 0, n = 0; ply < heights.size(); ++ply)
         for (std::size_t i = 0; i < of_ply; ++i, ++n) {
@@ -153,12 +153,12 @@ void Simulation::add_projectile(Balance& balance) const {
 void Simulation::close(Balance& balance) {
     if (initial_energy_ > 0) {
         const double defect = balance.total() - initial_energy_;
-        turnover_ = std::max({turnover_, balance.total() - balance.kinetic_projectile, resolved * energy_scale_});
+        transferred_energy_ = std::max({transferred_energy_, balance.total() - balance.kinetic_projectile, resolved * energy_scale_});
         balance.energy_error = defect / initial_energy_;
-        balance.turnover = turnover_;
-        balance.closure = defect / turnover_;
+        balance.transferred_energy = transferred_energy_;
+        balance.closure_error = defect / transferred_energy_;
     }
-    counts_.largest_closure = std::max(counts_.largest_closure, std::abs(balance.closure));
+    counts_.largest_closure_error = std::max(counts_.largest_closure_error, std::abs(balance.closure_error));
     counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, balance.contact);
     counts_.largest_hourglass = std::max(counts_.largest_hourglass, balance.hourglass);
     counts_.largest_internal = std::max(counts_.largest_internal, balance.internal);

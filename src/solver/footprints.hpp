@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "weavefront/contact/whereabouts.hpp"
+#include "weavefront/contact/swept_bounds.hpp"
 
 namespace weavefront::solver {
 

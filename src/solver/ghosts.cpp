@@ -15,10 +15,10 @@ namespace {
 struct FacetMessage {
     std::int64_t id;
     std::array<std::int32_t, 4> nodes;  ///< among those that travel with it; on arrival, local
-    std::int32_t ply, on_rim;
+    std::int32_t ply, on_free_edge;
 };
 
-/// A node as it travels; the same from every rank that sends it, but for its place in this one's memory.
+/// A node as it travels; the same from every rank that sends it, but for its index on this rank.
 struct NodeMessage {
     std::int64_t id;
     std::array<double, 3> x, v;
@@ -30,7 +30,7 @@ template <class T>
 using ByRank = std::vector<std::vector<T>>;
 
 /// Bisection without branches, of which every other one would be mispredicted. @param ids ascending @return -1: none
-std::int32_t place_in(std::span<const std::int64_t> ids, std::int64_t id) {
+std::int32_t index_in(std::span<const std::int64_t> ids, std::int64_t id) {
     if (ids.empty()) return -1;
     const auto* first = ids.data();
     for (auto count = ids.size(); count > 1; count -= count / 2) first += first[count / 2 - 1] < id ? count / 2 : 0;
@@ -38,22 +38,22 @@ std::int32_t place_in(std::span<const std::int64_t> ids, std::int64_t id) {
 }
 
 /// Own nodes and ghosts by their global ids.
-class Places {
+class LocalIndices {
   public:
-    explicit Places(const Nodes& nodes) : own_(nodes.ids), count_(nodes.count) {}
+    explicit LocalIndices(const Nodes& nodes) : own_(nodes.ids), count_(nodes.count) {}
 
     /// @param ids ascending
     void set_ghosts(std::vector<std::int64_t> ids) { ghosts_ = std::move(ids); }
 
-    [[nodiscard]] std::int32_t own(std::int64_t id) const { return place_in(own_, id); }
-    [[nodiscard]] std::int32_t ghost(std::int64_t id) const { return count_ + place_in(ghosts_, id); }
+    [[nodiscard]] std::int32_t own(std::int64_t id) const { return index_in(own_, id); }
+    [[nodiscard]] std::int32_t ghost(std::int64_t id) const { return count_ + index_in(ghosts_, id); }
     [[nodiscard]] std::int32_t of(std::int64_t id) const {
-        const auto place = own(id);
-        return place >= 0 ? place : ghost(id);
+        const auto index = own(id);
+        return index >= 0 ? index : ghost(id);
     }
-    [[nodiscard]] bool is_own(std::int32_t place) const { return place < count_; }
-    [[nodiscard]] std::int64_t id(std::int32_t place) const {
-        return is_own(place) ? own_[static_cast<std::size_t>(place)] : ghosts_[static_cast<std::size_t>(place - count_)];
+    [[nodiscard]] bool is_own(std::int32_t index) const { return index < count_; }
+    [[nodiscard]] std::int64_t id(std::int32_t index) const {
+        return is_own(index) ? own_[static_cast<std::size_t>(index)] : ghosts_[static_cast<std::size_t>(index - count_)];
     }
 
   private:
@@ -78,11 +78,11 @@ double width(const Footprint& footprint) { return std::max(footprint.x_high - fo
 /// The alive facets of all plies over each of a rank's columns.
 class ColumnFootprints {
   public:
-    ColumnFootprints(const contact::Whereabouts& expected, const contact::Surface& surface)
+    ColumnFootprints(const contact::SweptBounds& swept, const contact::Surface& surface)
         : columns(static_cast<std::size_t>(surface.owned) / surface.plies.size()) {
         std::vector<double> widest(columns.size(), 0);
         for_each(surface, [&](std::size_t f, std::size_t column) {
-            const auto footprint = expected.of(surface.facets[f]);
+            const auto footprint = swept.of(surface.facets[f]);
             columns[column].include(footprint);
             widest[column] = std::max(widest[column], width(footprint));
         });
@@ -91,7 +91,7 @@ class ColumnFootprints {
         for (std::size_t column = 0; column < columns.size(); ++column)
             if (!is_torn(column)) covering.push_back(columns[column]);
         for_each(surface, [&](std::size_t f, std::size_t column) {
-            if (is_torn(column)) covering.push_back(expected.of(surface.facets[f]));
+            if (is_torn(column)) covering.push_back(swept.of(surface.facets[f]));
         });
     }
 
@@ -120,19 +120,21 @@ ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double r
     return parallel::all_to_all(comm, outgoing);
 }
 
-bool is_on_rim(const contact::Surface& surface, std::size_t facet) { return !surface.on_rim.empty() && surface.on_rim[facet] != 0; }
+bool is_on_free_edge(const contact::Surface& surface, std::size_t facet) {
+    return !surface.on_free_edge.empty() && surface.on_free_edge[facet] != 0;
+}
 
 /// Facets of this rank, by the rank that needs them, each list column by column.
 struct Choice {
     ByRank<GhostFacet> all, needed;  ///< needed: until the next renewal
 };
 
-Choice choose(const parallel::Communicator& comm, const contact::Whereabouts& expected, double reach, double spare,
+Choice choose(const parallel::Communicator& comm, const contact::SweptBounds& swept, double reach, double spare,
               const contact::Surface& surface) {
     const auto ranks = static_cast<std::size_t>(comm.size());
     Choice choice{ByRank<GhostFacet>(ranks), ByRank<GhostFacet>(ranks)};
     if (ranks == 1) return choice;
-    const ColumnFootprints footprints(expected, surface);
+    const ColumnFootprints footprints(swept, surface);
     const auto& columns = footprints.columns;
     auto around = footprints_around(comm, reach, footprints.covering);
     for (std::size_t r = 0; r < ranks; ++r) {
@@ -141,9 +143,9 @@ Choice choose(const parallel::Communicator& comm, const contact::Whereabouts& ex
         for (std::size_t column = 0; column < columns.size(); ++column) {
             if (!bins.near(columns[column], reach)) continue;
             for (auto f = column; f < static_cast<std::size_t>(surface.owned); f += columns.size()) {
-                const auto footprint = expected.of(surface.facets[f]);
+                const auto footprint = swept.of(surface.facets[f]);
                 if (!surface.alive[f] || !bins.near(footprint, reach)) continue;
-                const GhostFacet facet{static_cast<std::int32_t>(f), is_on_rim(surface, f)};
+                const GhostFacet facet{static_cast<std::int32_t>(f), is_on_free_edge(surface, f)};
                 choice.all[r].push_back(facet);
                 if (bins.near(footprint, reach - spare)) choice.needed[r].push_back(facet);
             }
@@ -162,22 +164,22 @@ Outgoing messages_of(const ByRank<GhostFacet>& chosen, const partition::HaloPlan
                      int rank) {
     const auto owner = owners(plan, rank);
     Outgoing out{ByRank<FacetMessage>(chosen.size()), ByRank<NodeMessage>(chosen.size())};
-    std::vector<std::int32_t> told(owner.size());  // at which place in the message to the rank at hand, or -1
+    std::vector<std::int32_t> sent_slot(owner.size());  // its position in the message to the rank at hand, or -1
     for (std::size_t r = 0; r < chosen.size(); ++r) {
         if (chosen[r].empty()) continue;
-        std::ranges::fill(told, -1);
+        std::ranges::fill(sent_slot, -1);
         const auto send_node = [&](std::int32_t node) {
             const auto n = static_cast<std::size_t>(node);
-            if (told[n] < 0) {
+            if (sent_slot[n] < 0) {
                 const Vec3 &x = nodes.x[n], &v = nodes.v[n];
-                told[n] = static_cast<std::int32_t>(out.nodes[r].size());
+                sent_slot[n] = static_cast<std::int32_t>(out.nodes[r].size());
                 out.nodes[r].push_back({nodes.ids[n], {x[0], x[1], x[2]}, {v[0], v[1], v[2]}, nodes.mass[n], owner[n], nodes.supports[n]});
             }
-            return told[n];
+            return sent_slot[n];
         };
-        for (const auto& [f, on_rim] : chosen[r]) {
+        for (const auto& [f, on_free_edge] : chosen[r]) {
             const auto& facet = surface.facets[static_cast<std::size_t>(f)];
-            auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, on_rim});
+            auto& message = out.facets[r].emplace_back(FacetMessage{facet.id, {}, facet.ply, on_free_edge});
             std::ranges::transform(facet.nodes, message.nodes.begin(), send_node);
         }
     }
@@ -186,17 +188,17 @@ Outgoing messages_of(const ByRank<GhostFacet>& chosen, const partition::HaloPlan
 
 /// What arrives of nodes.
 struct Arrived {
-    ByRank<std::int32_t> places;  ///< of the nodes from each rank
-    ByRank<std::int64_t> wanted;  ///< ids of the ghosts, by the rank that owns them
+    ByRank<std::int32_t> indices;  ///< of the nodes from each rank
+    ByRank<std::int64_t> wanted;   ///< ids of the ghosts, by the rank that owns them
 };
 
 /// Takes the ghost nodes in, in ascending global order.
-Arrived take_in(const ByRank<NodeMessage>& incoming, Places& places, Nodes& nodes) {
+Arrived take_in(const ByRank<NodeMessage>& incoming, LocalIndices& indices, Nodes& nodes) {
     Arrived arrived{ByRank<std::int32_t>(incoming.size()), ByRank<std::int64_t>(incoming.size())};
     std::vector<NodeMessage> ghosts;
     for (std::size_t r = 0; r < incoming.size(); ++r)
         for (const auto& message : incoming[r])
-            if (arrived.places[r].emplace_back(places.own(message.id)) < 0) ghosts.push_back(message);
+            if (arrived.indices[r].emplace_back(indices.own(message.id)) < 0) ghosts.push_back(message);
     std::ranges::sort(ghosts, {}, &NodeMessage::id);
     const auto again = std::ranges::unique(ghosts, {}, &NodeMessage::id);
     ghosts.erase(again.begin(), again.end());
@@ -212,30 +214,30 @@ Arrived take_in(const ByRank<NodeMessage>& incoming, Places& places, Nodes& node
         ids.push_back(ghost.id);
         arrived.wanted[static_cast<std::size_t>(ghost.owner)].push_back(ghost.id);
     }
-    places.set_ghosts(std::move(ids));
+    indices.set_ghosts(std::move(ids));
     for (std::size_t r = 0; r < incoming.size(); ++r)
         for (std::size_t k = 0; k < incoming[r].size(); ++k)
-            if (auto& place = arrived.places[r][k]; place < 0) place = places.ghost(incoming[r][k].id);
+            if (auto& index = arrived.indices[r][k]; index < 0) index = indices.ghost(incoming[r][k].id);
     return arrived;
 }
 
-/// Takes the ghost facets in, in ascending global order. @param places of the nodes that came with them
-void take_in_facets(ByRank<FacetMessage> incoming, const ByRank<std::int32_t>& places, contact::Surface& surface) {
+/// Takes the ghost facets in, in ascending global order. @param indices of the nodes that came with them
+void take_in_facets(ByRank<FacetMessage> incoming, const ByRank<std::int32_t>& indices, contact::Surface& surface) {
     std::vector<FacetMessage> ghosts;
     for (std::size_t r = 0; r < incoming.size(); ++r)
         for (auto& message : incoming[r]) {
-            for (auto& node : message.nodes) node = places[r][static_cast<std::size_t>(node)];
+            for (auto& node : message.nodes) node = indices[r][static_cast<std::size_t>(node)];
             ghosts.push_back(message);
         }
     std::ranges::sort(ghosts, {}, &FacetMessage::id);
     surface.facets.resize(static_cast<std::size_t>(surface.owned));
     surface.alive.resize(static_cast<std::size_t>(surface.owned));
-    const bool has_rims = !surface.on_rim.empty();
-    if (has_rims) surface.on_rim.resize(static_cast<std::size_t>(surface.owned));
+    const bool has_free_edges = !surface.on_free_edge.empty();
+    if (has_free_edges) surface.on_free_edge.resize(static_cast<std::size_t>(surface.owned));
     for (const auto& ghost : ghosts) {
         surface.facets.push_back({ghost.id, ghost.nodes, ghost.ply});
         surface.alive.push_back(1);
-        if (has_rims) surface.on_rim.push_back(static_cast<std::uint8_t>(ghost.on_rim));
+        if (has_free_edges) surface.on_free_edge.push_back(static_cast<std::uint8_t>(ghost.on_free_edge));
     }
 }
 
@@ -259,31 +261,32 @@ struct OtherHolders {
 };
 
 /// What the owner of a node tells those that know it: the node, and one other rank that knows it.
-struct Acquaintance {
+struct Sharer {
     std::int64_t node;
     std::int32_t rank, has_it_as_ghost;
 };
 
 /// Introduces all ranks to each other that hold a node or have it as a ghost. @param wanted by each rank of this one's nodes
-ByRank<Acquaintance> introduce(const ByRank<std::int64_t>& wanted, const partition::HaloPlan& plan, const Places& places, int rank) {
+ByRank<Sharer> announce_sharers(const ByRank<std::int64_t>& wanted, const partition::HaloPlan& plan, const LocalIndices& indices,
+                                int rank) {
     std::vector<std::pair<std::int64_t, std::int32_t>> ghosts;  // id, rank
     for (std::size_t r = 0; r < wanted.size(); ++r)
         for (const auto id : wanted[r]) ghosts.emplace_back(id, static_cast<std::int32_t>(r));
     std::ranges::sort(ghosts);
     const OtherHolders holders(plan);
-    ByRank<Acquaintance> outgoing(wanted.size());
-    struct Knowing {
+    ByRank<Sharer> outgoing(wanted.size());
+    struct KnownBy {
         std::int32_t rank, as_ghost;
     };
-    std::vector<Knowing> knowing;
+    std::vector<KnownBy> known_by;
     for (std::size_t g = 0; g < ghosts.size();) {
         const auto id = ghosts[g].first;
-        const auto others = holders.of(places.own(id));
-        knowing.assign(1, {rank, 0});
-        for (const auto other : others) knowing.push_back({other, 0});
-        for (; g < ghosts.size() && ghosts[g].first == id; ++g) knowing.push_back({ghosts[g].second, 1});
-        for (const auto& to : knowing)
-            for (const auto& other : knowing)
+        const auto others = holders.of(indices.own(id));
+        known_by.assign(1, {rank, 0});
+        for (const auto other : others) known_by.push_back({other, 0});
+        for (; g < ghosts.size() && ghosts[g].first == id; ++g) known_by.push_back({ghosts[g].second, 1});
+        for (const auto& to : known_by)
+            for (const auto& other : known_by)
                 if (to.rank != other.rank) outgoing[static_cast<std::size_t>(to.rank)].push_back({id, other.rank, other.as_ghost});
     }
     return outgoing;
@@ -292,76 +295,78 @@ ByRank<Acquaintance> introduce(const ByRank<std::int64_t>& wanted, const partiti
 /// A node that another rank knows, too.
 struct Shared {
     std::int64_t id;
-    std::int32_t place;
+    std::int32_t index;
     bool ghost_here, ghost_there;
 };
 
 /// A rank has something to add to a ghost only where its plies press on others, so that most of that is zero.
 /// @param nodes in global order
-parallel::Share share_of(std::span<const Shared> nodes, bool Shared::*ghost) {
-    parallel::Share share;
+parallel::SendList send_list_of(std::span<const Shared> nodes, bool Shared::*ghost) {
+    parallel::SendList list;
     for (const auto& node : nodes)
-        if (!(node.*ghost)) share.nodes.push_back(node.place);
-    share.whole = share.nodes.size();
+        if (!(node.*ghost)) list.nodes.push_back(node.index);
+    list.dense_count = list.nodes.size();
     for (const auto& node : nodes)
-        if (node.*ghost) share.nodes.push_back(node.place);
-    return share;
+        if (node.*ghost) list.nodes.push_back(node.index);
+    return list;
 }
 
-/// @param introduced by the owners, nodes that are ghosts somewhere; all others are shared as the plan says
-std::vector<parallel::Link> links_of(const ByRank<Acquaintance>& introduced, const partition::HaloPlan& plan, const Places& places) {
-    ByRank<Shared> shared(introduced.size());
-    std::vector<bool> told(plan.owned.size(), false);
-    for (const auto& messages : introduced)
+/// @param announced by the owners, nodes that are ghosts somewhere; all others are shared as the plan says
+std::vector<parallel::Neighbour> neighbours_of(const ByRank<Sharer>& announced, const partition::HaloPlan& plan,
+                                               const LocalIndices& indices) {
+    ByRank<Shared> shared(announced.size());
+    std::vector<bool> is_announced(plan.owned.size(), false);
+    for (const auto& messages : announced)
         for (const auto& [node, rank, has_it_as_ghost] : messages) {
-            const auto place = places.of(node);
-            const bool own = places.is_own(place);
-            shared[static_cast<std::size_t>(rank)].push_back({node, place, !own, has_it_as_ghost != 0});
-            if (own) told[static_cast<std::size_t>(place)] = true;
+            const auto index = indices.of(node);
+            const bool own = indices.is_own(index);
+            shared[static_cast<std::size_t>(rank)].push_back({node, index, !own, has_it_as_ghost != 0});
+            if (own) is_announced[static_cast<std::size_t>(index)] = true;
         }
     for (const auto& neighbour : plan.neighbours)
         for (const auto node : neighbour.nodes)
-            if (!told[static_cast<std::size_t>(node)])
-                shared[static_cast<std::size_t>(neighbour.rank)].push_back({places.id(node), node, false, false});
-    std::vector<parallel::Link> links;
+            if (!is_announced[static_cast<std::size_t>(node)])
+                shared[static_cast<std::size_t>(neighbour.rank)].push_back({indices.id(node), node, false, false});
+    std::vector<parallel::Neighbour> neighbours;
     for (std::size_t r = 0; r < shared.size(); ++r) {
         if (shared[r].empty()) continue;
         std::ranges::sort(shared[r], {}, &Shared::id);
-        links.emplace_back(static_cast<int>(r), share_of(shared[r], &Shared::ghost_here), share_of(shared[r], &Shared::ghost_there));
+        neighbours.emplace_back(static_cast<int>(r), send_list_of(shared[r], &Shared::ghost_here),
+                                send_list_of(shared[r], &Shared::ghost_there));
     }
-    return links;
+    return neighbours;
 }
 
 }  // namespace
 
 ForceExchange halo_exchange(const partition::HaloPlan& plan) {
-    std::vector<parallel::Link> links;
-    for (const auto& neighbour : plan.neighbours) links.emplace_back(neighbour.rank, neighbour.nodes);
-    return ForceExchange(std::move(links));
+    std::vector<parallel::Neighbour> neighbours;
+    for (const auto& neighbour : plan.neighbours) neighbours.emplace_back(neighbour.rank, neighbour.nodes);
+    return ForceExchange(std::move(neighbours));
 }
 
 bool Ghosts::suffice(std::span<const GhostFacet> needed, std::span<const GhostFacet> known, const contact::Surface& surface) {
     const auto columns = surface.owned / static_cast<std::int32_t>(surface.plies.size());
-    const auto place = [&](const GhostFacet& ghost) { return std::pair(ghost.facet % columns, ghost.facet); };
-    return std::ranges::includes(known, needed, {}, place, place) && std::ranges::all_of(known, [&](const GhostFacet& ghost) {
+    const auto index = [&](const GhostFacet& ghost) { return std::pair(ghost.facet % columns, ghost.facet); };
+    return std::ranges::includes(known, needed, {}, index, index) && std::ranges::all_of(known, [&](const GhostFacet& ghost) {
                const auto f = static_cast<std::size_t>(ghost.facet);
-               return surface.alive[f] && ghost.on_rim == is_on_rim(surface, f);
+               return surface.alive[f] && ghost.on_free_edge == is_on_free_edge(surface, f);
            });
 }
 
-bool Ghosts::renew(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
+bool Ghosts::renew(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::SweptBounds& swept, double reach,
                    double spare, contact::Surface& surface, Nodes& nodes, ForceExchange& exchange) {
-    auto choice = choose(comm, expected, reach, spare, surface);
+    auto choice = choose(comm, swept, reach, spare, surface);
     bool suffices = known_.size() == choice.needed.size();
     for (std::size_t r = 0; suffices && r < known_.size(); ++r) suffices = suffice(choice.needed[r], known_[r], surface);
     if (!comm.any(!suffices)) return false;
     known_ = std::move(choice.all);
-    Places places(nodes);
+    LocalIndices indices(nodes);
     const auto out = messages_of(known_, plan, surface, nodes, comm.rank());
-    const auto arrived = take_in(parallel::all_to_all(comm, out.nodes), places, nodes);
-    take_in_facets(parallel::all_to_all(comm, out.facets), arrived.places, surface);
-    const auto introduced = introduce(parallel::all_to_all(comm, arrived.wanted), plan, places, comm.rank());
-    exchange = ForceExchange(links_of(parallel::all_to_all(comm, introduced), plan, places));
+    const auto arrived = take_in(parallel::all_to_all(comm, out.nodes), indices, nodes);
+    take_in_facets(parallel::all_to_all(comm, out.facets), arrived.indices, surface);
+    const auto announced = announce_sharers(parallel::all_to_all(comm, arrived.wanted), plan, indices, comm.rank());
+    exchange = ForceExchange(neighbours_of(parallel::all_to_all(comm, announced), plan, indices));
     return true;
 }
 

@@ -47,13 +47,13 @@ void join_along(Run run, const std::array<std::int32_t, 4>& corners, Sets& sets)
 Sets joined_by_yarns(const Model& model, const mesh::Panel& panel) {
     Sets sets(static_cast<std::size_t>(model.nodes.count));
     for (std::size_t e = 0; e < static_cast<std::size_t>(model.surface.owned); ++e) {
-        const auto place = model.places[e];
-        const auto& group = *model.groups[static_cast<std::size_t>(place.group)];
-        if (!group.alive(place.index)) continue;
+        const auto slot = model.slots[e];
+        const auto& group = *model.groups[static_cast<std::size_t>(slot.group)];
+        if (!group.alive(slot.index)) continue;
         const auto& facet = model.surface.facets[e];
         const auto fill = run_of_fill(panel, facet.ply);
         const auto warp = fill == Run::along_x ? Run::along_y : fill == Run::along_y ? Run::along_x : Run::aslant;
-        const auto intact = group.intact_yarns(place.index);
+        const auto intact = group.intact_yarns(slot.index);
         if (intact.fill) join_along(fill, facet.nodes, sets);
         if (intact.warp) join_along(warp, facet.nodes, sets);
     }
@@ -130,8 +130,8 @@ void JoinedFabric::find(const Model& model, const mesh::Panel& panel, const para
 }
 
 bool JoinedFabric::is_eroded(const Model& model, std::size_t element) {
-    const auto place = model.places[element];
-    return !model.groups[static_cast<std::size_t>(place.group)]->alive(place.index);
+    const auto slot = model.slots[element];
+    return !model.groups[static_cast<std::size_t>(slot.group)]->alive(slot.index);
 }
 
 bool JoinedFabric::is_at_joined_node(const Model& model, std::size_t element) const {

@@ -19,8 +19,8 @@ std::array<Vec3, 4> corners_of(const mesh::Part& part, std::size_t element) {
 InitialPositions initial_positions(const mesh::Panel& panel, const std::vector<Vec3>& positions) {
     InitialPositions initial;
     const auto of_ply = positions.size() / panel.plies.size();
-    initial.in_plane.period.reserve(of_ply);
-    for (std::size_t n = 0; n < of_ply; ++n) initial.in_plane.period.push_back({positions[n].x(), positions[n].y()});
+    initial.in_plane.one_ply.reserve(of_ply);
+    for (std::size_t n = 0; n < of_ply; ++n) initial.in_plane.one_ply.push_back({positions[n].x(), positions[n].y()});
     for (const auto& ply : panel.plies) initial.heights.push_back(ply.z);
     return initial;
 }
@@ -74,7 +74,7 @@ void build_groups(const scene::Scene& scene, const mesh::Panel& panel, const mes
     std::vector<std::int32_t> placed(scene.fabrics.size(), 0);
     for (const auto& ply : panel.plies) {
         const auto f = static_cast<std::size_t>(ply.fabric);
-        model.places.append(of_ply, {group_of[f], placed[f]});
+        model.slots.append(of_ply, {group_of[f], placed[f]});
         placed[f] += of_ply;
     }
 }
@@ -86,7 +86,7 @@ void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const me
         surface.facets.push_back({part.element_ids[e], part.element_nodes[e], part.element_plies[e]});
     surface.alive.assign(part.element_ids.size(), 1);
     surface.owned = static_cast<std::int32_t>(part.element_ids.size());
-    surface.areas.period.assign(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / panel.plies.size()));
+    surface.areas.one_ply.assign(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / panel.plies.size()));
     surface.symmetry = panel.symmetry;
     for (const auto& ply : panel.plies) {
         const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
@@ -116,8 +116,8 @@ bool Model::touches(std::int32_t element) const {
 
 shell::ElementOutput Model::output(std::int32_t element) const {
     if (const auto held = eroded.find(element); held != eroded.end()) return held->second;
-    const auto place = places[static_cast<std::size_t>(element)];
-    return groups[static_cast<std::size_t>(place.group)]->output(place.index, nodes.x);
+    const auto slot = slots[static_cast<std::size_t>(element)];
+    return groups[static_cast<std::size_t>(slot.group)]->output(slot.index, nodes.x);
 }
 
 std::size_t Model::bytes() const {

@@ -15,7 +15,7 @@ constexpr auto none = std::numeric_limits<std::int64_t>::max();
 std::optional<double> height_at(const std::array<Vec3, 4>& corners, const Vec3& point) {
     const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
     const double direction = normal.z() < 0 ? -1 : 1;
-    const auto hits = contact::meet(contact::one_ray(point, {0, 0, direction}), corners);
+    const auto hits = contact::intersect(contact::one_ray(point, {0, 0, direction}), corners);
     if (!hits.hit[0]) return std::nullopt;
     return point.z() + direction * hits.distance[0];
 }
@@ -29,9 +29,9 @@ struct Around {
 /// Whether an owned facet belongs to the target and is neither torn nor next to what is.
 bool is_sound(const Model& model, const JoinedFabric& fabric, std::size_t facet) {
     const auto& surface = model.surface;
-    if (!fabric.has_element(model, facet) || (!surface.on_rim.empty() && surface.on_rim[facet])) return false;
-    const auto place = model.places[facet];
-    const auto intact = model.groups[static_cast<std::size_t>(place.group)]->intact_yarns(place.index);
+    if (!fabric.has_element(model, facet) || (!surface.on_free_edge.empty() && surface.on_free_edge[facet])) return false;
+    const auto slot = model.slots[facet];
+    const auto intact = model.groups[static_cast<std::size_t>(slot.group)]->intact_yarns(slot.index);
     return intact.fill && intact.warp;
 }
 

@@ -34,10 +34,10 @@ std::vector<double> record_of(const Model& model, std::int32_t element) {
         const auto n = static_cast<std::size_t>(node);
         for (const auto* vector : {&model.nodes.x[n], &model.nodes.v[n]}) record.insert(record.end(), vector->begin(), vector->end());
     }
-    const auto place = model.places[e];
-    const auto& group = *model.groups[static_cast<std::size_t>(place.group)];
-    group.save(place.index, record);
-    if (!group.alive(place.index)) {
+    const auto slot = model.slots[e];
+    const auto& group = *model.groups[static_cast<std::size_t>(slot.group)];
+    group.save(slot.index, record);
+    if (!group.alive(slot.index)) {
         const auto shown = numbers_of(model.output(element));
         record.insert(record.end(), shown.begin(), shown.end());
     }
@@ -63,11 +63,11 @@ std::span<const double> take_record(std::span<const double> records, Model& mode
         model.nodes.x[static_cast<std::size_t>(node)] = take_vector(records);
         model.nodes.v[static_cast<std::size_t>(node)] = take_vector(records);
     }
-    const auto place = model.places[e];
-    auto& group = *model.groups[static_cast<std::size_t>(place.group)];
-    records = group.restore(place.index, records);
-    model.surface.alive[e] = group.alive(place.index);
-    if (!group.alive(place.index)) {
+    const auto slot = model.slots[e];
+    auto& group = *model.groups[static_cast<std::size_t>(slot.group)];
+    records = group.restore(slot.index, records);
+    model.surface.alive[e] = group.alive(slot.index);
+    if (!group.alive(slot.index)) {
         model.eroded.emplace(element, output_of(records));
         records = records.subspan(shown_of_eroded);
     }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "free_edges.hpp"
 #include "misses.hpp"
-#include "rim.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/redistribution.hpp"
@@ -76,19 +76,19 @@ double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel) {
     double thickest = 0;
     for (const auto& ply : panel.plies)
         thickest = std::max(thickest, scene.fabrics[static_cast<std::size_t>(ply.fabric)].contact_thickness);
-    return contact::Touching::depth_of(thickest) + skin_and_spare;
+    return contact::ContactDistances::max_penetration_of(thickest) + skin_and_spare;
 }
 
 Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& comm)
     : scene_(scene),
       comm_(comm),
-      mailboxes_(comm),
+      shared_memory_(comm),
       panel_(mesh::make_panel(scene)),
       model_(build_model(scene, panel_, initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
       multiplicity_(panel_.multiplicity()),
       step_bound_(scene, panel_),
       passages_(panel_.plies.size()) {
-    model_.exchange.use(comm_, mailboxes_);
+    model_.exchange.use(comm_, shared_memory_);
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     counts_.first_break.assign(panel_.plies.size(), std::numeric_limits<double>::max());
     if (model_.projectile) {
@@ -111,7 +111,7 @@ void Simulation::advance_forces() {
     evaluate_contact();
     sum_over_ranks();
     hold_supports();
-    if (steps_ >= next_check_ || stiffened_) adapt_time_step();
+    if (steps_ >= next_check_ || step_check_due_) adapt_time_step();
     look_for_passages();
 }
 
@@ -130,9 +130,9 @@ void Simulation::redistribute(const partition::Decomposition& decomposition) {
     {
         const Timed timed(seconds_, Phase::halo);
         model_ = solver::redistribute(scene_, panel_, decomposition, model_, comm_);
-        model_.exchange.use(comm_, mailboxes_);
+        model_.exchange.use(comm_, shared_memory_);
         for (const auto& group : model_.groups) group->set_time_step(dt_);
-        step_bound_.watch(model_);
+        step_bound_.set_triggers(model_);
         contact_.clear();
         list_supports();
         joined_at_ = -1;
@@ -149,10 +149,10 @@ void Simulation::advance_elements() {
             group->advance(first, count, model_.nodes.x, pack_forces_, events);
             model_.assembly.add_packs(*group, first, count, pack_forces_, model_.nodes.force);
         }
-    note(events);
+    record_events(events);
 }
 
-void Simulation::note(const shell::Events& events) {
+void Simulation::record_events(const shell::Events& events) {
     counts_.broken_yarns += events.broken_fill + events.broken_warp;
     counts_.eroded_elements += static_cast<std::int64_t>(events.eroded.size());
     for (const auto element : events.broken) {
@@ -251,9 +251,9 @@ void Simulation::sum_over_ranks() {
     model_.exchange.finish(model_.nodes.force);
     projectile_force_ = without_mirrored(multiplicity_ * model_.assembly.value({sums[x], sums[y], sums[z]})) + frame_force_;
     if (projectile_force_ != Vec3::Zero()) counts_.touched = true, counts_.last_touched = time_;
-    torn_ = torn_ || sums[eroded] > 0;
+    any_eroded_ = any_eroded_ || sums[eroded] > 0;
     candidates_outdated_ = sums[eroded] > 0 || sums[left] > 0;
-    stiffened_ = sums[stiff] > 0;
+    step_check_due_ = sums[stiff] > 0;
     is_stop_agreed_ = sums[stop] > 0;
     if (sums[fault] > 0) {
         // What is shown is the state before these forces.
@@ -285,7 +285,7 @@ Vec3 Simulation::without_mirrored(Vec3 force) const {
 void Simulation::adapt_time_step() {
     const Timed timed(seconds_, Phase::elements);
     const double omega_squared = step_bound_.frequency_squared(model_, contact_.pairs, comm_);
-    step_bound_.watch(model_);
+    step_bound_.set_triggers(model_);
     next_check_ = steps_ + step_bound_.steps_to_next();
     const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);
     if (!(bound > 0)) throw GuardStop(fmt::format("the time step vanished at t = {:.6g} us, step {}", time_ * 1e6, steps_));
@@ -310,7 +310,7 @@ void Simulation::move_nodes() {
     auto& nodes = model_.nodes;
     if (scene_.damping > 0) {
         for (std::size_t n = 0; n < nodes.x.size(); ++n) {
-            const Vec3 next = next_velocity(n);
+            const Vec3 next = updated_velocity(n);
             if (n < nodes.owned.size() && nodes.owned[n]) add_energy(damping_work_, damping_work(n, next, last_dt_, dt_));
             nodes.v[n] = next;
             nodes.x[n] += dt_ * next;
@@ -342,10 +342,10 @@ contact::Deepest Simulation::deepest() const { return deepest_of_all(counts_.dee
 CrossedElements Simulation::crossed_elements() const { return elements_behind_whole_plies(model_, comm_); }
 
 bool Simulation::moved_far() const {
-    if (expected_nodes_.empty()) return false;
+    if (swept_nodes_.empty()) return false;
     const double margin = model_.smallest_edge * skin_in_edges * (0.5 - kept_of_skin);
-    return expected_nodes_.any_left(model_.nodes.own_x(), margin) ||
-           (model_.projectile_contact && expected_projectile_.any_left({&model_.projectile->position, 1}, margin));
+    return swept_nodes_.any_outside(model_.nodes.own_x(), margin) ||
+           (model_.projectile_contact && swept_projectile_.any_outside({&model_.projectile->position, 1}, margin));
 }
 
 void Simulation::update_candidates() {
@@ -355,36 +355,36 @@ void Simulation::update_candidates() {
     ++counts_.searches;
     const double skin = skin_in_edges * model_.smallest_edge, ahead = steps_ahead * dt_;
     auto& nodes = model_.nodes;
-    expected_nodes_ = contact::Whereabouts(nodes.x, nodes.v, ahead);
-    if (torn_) find_rims(comm_, panel_, model_);
+    swept_nodes_ = contact::SweptBounds(nodes.x, nodes.v, ahead);
+    if (any_eroded_) find_free_edges(comm_, panel_, model_);
     const double reach = ghost_reach(scene_, panel_), spare = ghost_spare_in_edges * panel_.smallest_edge();
-    if (reach > 0 && model_.ghosts.renew(comm_, model_.halo, expected_nodes_, reach, spare, model_.surface, nodes, model_.exchange)) {
-        model_.exchange.use(comm_, mailboxes_);
-        expected_nodes_ = contact::Whereabouts(nodes.x, nodes.v, ahead);
+    if (reach > 0 && model_.ghosts.renew(comm_, model_.halo, swept_nodes_, reach, spare, model_.surface, nodes, model_.exchange)) {
+        model_.exchange.use(comm_, shared_memory_);
+        swept_nodes_ = contact::SweptBounds(nodes.x, nodes.v, ahead);
         list_supports();
         model_.normals.rebuild(model_.surface, nodes.x.size());
     }
-    if (model_.ply_contact) model_.ply_contact->update_candidates(model_.surface, expected_nodes_, nodes.x, skin);
+    if (model_.ply_contact) model_.ply_contact->update_candidates(model_.surface, swept_nodes_, nodes.x, skin);
     if (model_.projectile_contact) {
         auto& projectile = *model_.projectile;
-        expected_projectile_ = contact::Whereabouts({&projectile.position, 1}, {&projectile.velocity, 1}, ahead);
-        model_.projectile_contact->update_candidates(model_.surface, expected_nodes_, expected_projectile_.of_node(0), skin);
+        swept_projectile_ = contact::SweptBounds({&projectile.position, 1}, {&projectile.velocity, 1}, ahead);
+        model_.projectile_contact->update_candidates(model_.surface, swept_nodes_, swept_projectile_.of_node(0), skin);
     }
-    let_debris_go();
+    release_debris_nodes();
 }
 
-void Simulation::let_debris_go() {
+void Simulation::release_debris_nodes() {
     const auto& surface = model_.surface;
     std::vector<bool> in_fabric(static_cast<std::size_t>(model_.nodes.count), false);
     for (std::size_t f = 0; f < static_cast<std::size_t>(surface.owned); ++f)
         if (surface.alive[f])
             for (const auto node : surface.facets[f].nodes) in_fabric[static_cast<std::size_t>(node)] = true;
     for (std::size_t n = 0; n < in_fabric.size(); ++n)
-        if (!in_fabric[n]) expected_nodes_.let_go(n);
+        if (!in_fabric[n]) swept_nodes_.ignore(n);
 }
 
 Vec3 Simulation::velocity(std::size_t node) const {
-    const Vec3 &v = model_.nodes.v[node], acceleration = (next_velocity(node) - v) / ((last_dt_ + dt_) / 2);
+    const Vec3 &v = model_.nodes.v[node], acceleration = (updated_velocity(node) - v) / ((last_dt_ + dt_) / 2);
     return v + last_dt_ / 2 * acceleration;
 }
 

@@ -17,19 +17,19 @@ constexpr double negligible = 0.01;
 
 // Sharper bounds are worth their use from this part of omega^2 on; a run goes on with the others otherwise. They come down to this part of
 // the fabric's own omega^2: yarns of much crimp with fill and warp apart.
-constexpr double worth_sharpening = 0.85, least_in_plane = 0.4;
+constexpr double worth_tightening = 0.85, least_in_plane = 0.4;
 
 // The elements' normals are looked at where perfectly flat fabric would lower omega^2 by more than this factor; that costs a thirtieth of
 // the elements' time.
 constexpr double worth_looking = 1.05;
 
-// A sharper bound falls by no more than this from one time to the next: what an element needs then is seldom computed, only compared with.
+// A tighter bound falls by no more than this from one time to the next: what an element needs then is seldom computed, only compared with.
 constexpr double follows_down = 0.98;
 
-// In one attempt of so many others than the best lending are tried, too.
+// In one attempt of so many others than the best term are tried, too.
 constexpr int looks_beside = 8;
 
-// As many times at most no attempt is made to sharpen the bound, after others in vain.
+// As many times at most no attempt is made to tighten the bound, after others in vain.
 constexpr int longest_wait = 32;
 
 // Packing builds up within some ten steps. Where yarns are watched for it, and for straightening, the bound holds for longer.
@@ -53,8 +53,8 @@ double coupling_at_rest(const scene::Scene& scene) {
 
 /// Square of the cosine between a force and a direction; of no force 1.
 double facing(const Vec3& force, const Vec3& axis) {
-    const double square = force.squaredNorm(), along = force.dot(axis);
-    return square > 0 ? along * along / square : 1;
+    const double square = force.squaredNorm(), component = force.dot(axis);
+    return square > 0 ? component * component / square : 1;
 }
 
 /// The edges of a line of elements that lie on an edge of the ply.
@@ -92,41 +92,41 @@ ContactModes contact_modes(const scene::Scene& scene) {
     return sum;
 }
 
-double joint_frequency_squared(double along, double across, double contact, double sine_squared) {
-    if (across >= along) return across + contact;
-    const double half = (along - across - contact) / 2;
-    return (along + across + contact) / 2 + std::sqrt(half * half + contact * (along - across) * sine_squared);
+double joint_frequency_squared(double in_plane, double out_of_plane, double contact, double sine_squared) {
+    if (out_of_plane >= in_plane) return out_of_plane + contact;
+    const double half = (in_plane - out_of_plane - contact) / 2;
+    return (in_plane + out_of_plane + contact) / 2 + std::sqrt(half * half + contact * (in_plane - out_of_plane) * sine_squared);
 }
 
 // From above, by the case that all act in one direction; each turn brings it nearer to the solution and leaves it above.
-double damped_frequency_squared(double along, double across, const ContactModes& contact, double sine_squared) {
+double damped_frequency_squared(double in_plane, double out_of_plane, const ContactModes& contact, double sine_squared) {
     const double half = contact.damping / 2;
-    double omega = half + std::sqrt(half * half + std::max(along, across) + contact.stiffness);
+    double omega = half + std::sqrt(half * half + std::max(in_plane, out_of_plane) + contact.stiffness);
     constexpr int turns = 8;
     for (int i = 0; i < turns && contact.damping > 0; ++i)
-        omega = std::sqrt(joint_frequency_squared(along, across, contact.stiffness + omega * contact.damping, sine_squared));
-    return contact.damping > 0 ? omega * omega : joint_frequency_squared(along, across, contact.stiffness, sine_squared);
+        omega = std::sqrt(joint_frequency_squared(in_plane, out_of_plane, contact.stiffness + omega * contact.damping, sine_squared));
+    return contact.damping > 0 ? omega * omega : joint_frequency_squared(in_plane, out_of_plane, contact.stiffness, sine_squared);
 }
 
-double in_plane_of_joint(double joint, double across, double contact, double sine_squared) {
+double in_plane_of_joint(double joint, double out_of_plane, double contact, double sine_squared) {
     if (sine_squared == 1) return joint - contact;
-    const double cosine_squared = 1 - sine_squared, rest = joint - across - contact * cosine_squared;
+    const double cosine_squared = 1 - sine_squared, rest = joint - out_of_plane - contact * cosine_squared;
     return rest > 0 ? joint - contact * sine_squared * (1 + contact * cosine_squared / rest) : 0;
 }
 
 // The gradients of an element see one half of a node's displacement: the corners' values less their mean and their hourglass mode. An edge
-// couples x of one node with y of the next, both half seen: eigenvalue of {{a + l/4, l/4}, {l/4, l/4}}, a inside, l lent.
-double excess_on_edge(double inside, double lent) {
+// couples x of one node with y of the next, both half seen: eigenvalue of {{a + l/4, l/4}, {l/4, l/4}}, a inside, l the coupling.
+double excess_on_edge(double inside, double coupling) {
     const double a = std::max(inside, 0.0);
-    return lent / 4 - a / 2 + std::sqrt(a * a / 4 + lent * lent / 16);
+    return coupling / 4 - a / 2 + std::sqrt(a * a / 4 + coupling * coupling / 16);
 }
 
 // At a corner it couples the corner node, half seen, with the difference of its neighbours, wholly seen:
 // {{a, 0, l/2}, {0, 0, l/2}, {l/2, l/2, a}}, whose largest eigenvalue a + x solves x^2 = l^2/4 (a + 2 x)/(a + x). From above.
-double excess_at_corner(double inside, double lent) {
+double excess_at_corner(double inside, double coupling) {
     const double a = std::max(inside, 0.0);
-    double x = lent / std::numbers::sqrt2;
-    for (int i = 0; i < 6 && x > 0; ++i) x = lent / 2 * std::sqrt((a + 2 * x) / (a + x));
+    double x = coupling / std::numbers::sqrt2;
+    for (int i = 0; i < 6 && x > 0; ++i) x = coupling / 2 * std::sqrt((a + 2 * x) / (a + x));
     return x;
 }
 
@@ -182,71 +182,71 @@ double StepBound::sine_squared_to_contact(const Model& model, const Vec3& axis, 
 }
 
 double StepBound::frequency_squared(const Model& model, std::span<const contact::PairForce> pairs, const parallel::Communicator& comm) {
-    enum Most : std::size_t { along, across, hourglass, crimped, packed, size };
+    enum Most : std::size_t { in_plane, out_of_plane, hourglass, crimped, packed, size };
     std::array<double, size> most{};
     const auto raise = [&](Most which, double value) { most[which] = std::max(most[which], value); };
     for (const auto& group : model.groups) {
         const auto of_group = group->frequencies();
-        raise(along, of_group.along);
-        raise(across, of_group.across);
+        raise(in_plane, of_group.in_plane);
+        raise(out_of_plane, of_group.out_of_plane);
         raise(hourglass, of_group.hourglass);
         raise(crimped, group->is_crimped() ? 1 : 0);
         raise(packed, group->is_packed() ? 1 : 0);
     }
     comm.max(most);
-    const auto joint = [&](double in_plane, double sine_squared) {
-        return damped_frequency_squared(in_plane, most[across], contact_, sine_squared);
+    const auto joint = [&](double membrane, double sine_squared) {
+        return damped_frequency_squared(membrane, most[out_of_plane], contact_, sine_squared);
     };
-    const bool flat_pays = contact_.stiffness > 0 && joint(most[along], 1) > worth_looking * joint(most[along], 0);
+    const bool flat_pays = contact_.stiffness > 0 && joint(most[in_plane], 1) > worth_looking * joint(most[in_plane], 0);
     const Vec3 axis = flat_pays || most[crimped] > 0 ? axis_of(model, comm) : Vec3::UnitZ();
     const double sine_squared = flat_pays ? sine_squared_to_contact(model, axis, pairs, comm) : 1;
-    watch_ = {};
-    const double worth = worth_sharpening * joint(most[along], sine_squared);
-    const bool may_pay = (most[crimped] > 0 || most[packed] > 0) && joint(least_in_plane * most[along], sine_squared) < worth;
+    trigger_ = {};
+    const double worth = worth_tightening * joint(most[in_plane], sine_squared);
+    const bool may_pay = (most[crimped] > 0 || most[packed] > 0) && joint(least_in_plane * most[in_plane], sine_squared) < worth;
     if (may_pay && --waits_ < 0) {
         const double contact = contact_.stiffness + std::sqrt(worth) * contact_.damping;
-        const double limit = in_plane_of_joint(worth, most[across], contact, sine_squared);
-        shell::SharpeningStart start{{}, limit, most[across], most[hourglass], axis, smallest_area_};
-        // What is lent across an element that leans over does not part into motion along and across it: only where contact does not
+        const double limit = in_plane_of_joint(worth, most[out_of_plane], contact, sine_squared);
+        shell::TighteningStart start{{}, limit, most[out_of_plane], most[hourglass], axis, smallest_area_};
+        // Terms of an element that leans over mix motion in its plane and out of it: only where contact does not
         // need them apart.
-        const bool may_lend = sine_squared == 1;
-        choose_lendings(may_lend && most[crimped] > 0, may_lend && most[packed] > 0 && !single_element_, start);
-        most[along] = sharpened(model, start, most[along], comm);
+        const bool may_redistribute = sine_squared == 1;
+        choose_null_lagrangians(may_redistribute && most[crimped] > 0, may_redistribute && most[packed] > 0 && !single_element_, start);
+        most[in_plane] = tightened(model, start, most[in_plane], comm);
     }
-    watch_.packing = watch_.slack < std::numeric_limits<double>::infinity() && most[packed] == 0;
-    steps_to_next_ = watch_.packing ? steps_while_watched : steps_unwatched;
-    return shell::in_steps(joint(most[along], sine_squared));
+    trigger_.packing = trigger_.slack < std::numeric_limits<double>::infinity() && most[packed] == 0;
+    steps_to_next_ = trigger_.packing ? steps_while_watched : steps_unwatched;
+    return shell::in_steps(joint(most[in_plane], sine_squared));
 }
 
-void StepBound::choose_lendings(bool coupling, bool mass, shell::SharpeningStart& start) const {
-    const auto may_help = [&](const shell::Lending& lending) { return (lending.mass == 0 || mass) && (lending.coupling == 0 || coupling); };
-    const bool starts_anew = best_ < 0 || !may_help(shell::lendings[static_cast<std::size_t>(best_)]);
+void StepBound::choose_null_lagrangians(bool coupling, bool mass, shell::TighteningStart& start) const {
+    const auto may_help = [&](const shell::NullLagrangian& term) { return (term.mass == 0 || mass) && (term.coupling == 0 || coupling); };
+    const bool starts_anew = best_ < 0 || !may_help(shell::null_lagrangians[static_cast<std::size_t>(best_)]);
     for (std::size_t i = 0; i < start.least.size(); ++i) {
-        const auto& lending = shell::lendings[i];
+        const auto& term = shell::null_lagrangians[i];
         const int apart = std::abs(static_cast<int>(i) - best_);
-        const bool is_due = starts_anew || apart == 0 || (attempts_ % looks_beside == 0 && (lending.mass != 0 || apart == 1));
-        const bool tried = is_due && may_help(lending);
+        const bool is_due = starts_anew || apart == 0 || (attempts_ % looks_beside == 0 && (term.mass != 0 || apart == 1));
+        const bool tried = is_due && may_help(term);
         const double known = best_ < 0 ? 0 : follows_down * last_[i];
         start.least[i] = tried ? std::clamp(known, start.limit * 0x1p-20, start.limit) : start.limit;
     }
 }
 
-double StepBound::sharpened(const Model& model, const shell::SharpeningStart& start, double held, const parallel::Communicator& comm) {
-    shell::SharperBounds bounds = start.least;
-    for (const auto& group : model.groups) group->sharpen(start, model.nodes.x, bounds);
+double StepBound::tightened(const Model& model, const shell::TighteningStart& start, double held, const parallel::Communicator& comm) {
+    shell::TightBounds bounds = start.least;
+    for (const auto& group : model.groups) group->tighten(start, model.nodes.x, bounds);
     comm.max(bounds);
     for (std::size_t i = 0; i < last_.size(); ++i) last_[i] = bounds[i] < start.limit ? bounds[i] : 0;
     double least = held;
     best_ = -1;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         double bound = bounds[i];
-        if (const double coupling = shell::lendings[i].coupling * coupling_at_rest_; coupling > 0) {
+        if (const double coupling = shell::null_lagrangians[i].coupling * coupling_at_rest_; coupling > 0) {
             if (free_edges_.too_near) continue;
-            const double inside = bound - std::max(start.hourglass, start.across);
+            const double inside = bound - std::max(start.hourglass, start.out_of_plane);
             bound += std::max(excess_on_edge(inside, coupling / free_edges_.edge), excess_at_corner(inside, coupling / free_edges_.corner));
-            bound = std::max(bound, coupling / smallest_area_);  // of an eroded element, which lends all the same
+            bound = std::max(bound, coupling / smallest_area_);  // of an eroded element, which keeps the term
         }
-        if (shell::lendings[i].mass != 0) bound = std::max(bound, start.across / (1 - shell::most_lent));
+        if (shell::null_lagrangians[i].mass != 0) bound = std::max(bound, start.out_of_plane / (1 - shell::most_redistributed));
         if (bound < start.limit && bound < least) {
             least = bound;
             best_ = static_cast<int>(i);
@@ -255,8 +255,9 @@ double StepBound::sharpened(const Model& model, const shell::SharpeningStart& st
     if (best_ >= 0) {
         const auto best = static_cast<std::size_t>(best_);
         double slack = bounds[best];
-        for (const auto& group : model.groups) slack = std::max(slack, group->slack_frequency(shell::lendings[best], smallest_area_));
-        watch_ = {.slack = let_straighten * comm.max(slack), .lending = shell::lendings[best], .smallest_area = smallest_area_};
+        for (const auto& group : model.groups)
+            slack = std::max(slack, group->slack_frequency(shell::null_lagrangians[best], smallest_area_));
+        trigger_ = {.slack = let_straighten * comm.max(slack), .term = shell::null_lagrangians[best], .smallest_area = smallest_area_};
     }
     ++attempts_;
     // Where nothing is won the attempts become rare: a yarn that has straightened stays so for long.
@@ -265,8 +266,8 @@ double StepBound::sharpened(const Model& model, const shell::SharpeningStart& st
     return least;
 }
 
-void StepBound::watch(Model& model) const {
-    for (const auto& group : model.groups) group->watch(watch_);
+void StepBound::set_triggers(Model& model) const {
+    for (const auto& group : model.groups) group->set_trigger(trigger_);
 }
 
 }  // namespace weavefront::solver

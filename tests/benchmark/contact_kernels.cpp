@@ -23,14 +23,14 @@ void ray(::benchmark::State& state) {
     }
     for (auto _ : state) {
         ::benchmark::DoNotOptimize(rays);
-        auto hits = contact::meet(rays, facet);
+        auto hits = contact::intersect(rays, facet);
         ::benchmark::DoNotOptimize(hits);
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(contact::batch_width));
 }
 BENCHMARK(ray);
 
-/// Points that are pressed in and let go again.
+/// Points that are response in and let go again.
 void penalty(::benchmark::State& state) {
     scene::ContactLaw contact;
     contact.stiffness = 1.1e13, contact.unloading = 10, contact.damping = 0.2;
@@ -40,19 +40,19 @@ void penalty(::benchmark::State& state) {
     std::vector<double> speeds;
     for (std::size_t n = 0; n < batch; ++n) speeds.push_back(uniform(random, 1, 50));
     constexpr double dt = 1e-8;
-    double reserve = 0, pressure = 0, depth = 0;
+    double dissipated_budget = 0, pressure = 0, depth = 0;
     int step = 0;
     for (auto _ : state) {
         const double direction = ++step % 64 < 32 ? 1 : -1;
         depth += direction * dt;
-        double gained = 0;
+        double dissipated = 0;
         for (std::size_t n = 0; n < batch; ++n) {
             const double closing = direction * speeds[n];
-            const auto pressed =
-                law.advance(points[n], speeds[n] * depth, {closing, closing, speeds[n]}, dt, 1.0 / batch, {.reserve = reserve});
-            pressure += pressed.pressure, gained += pressed.gained;
+            const auto response = law.advance(points[n], speeds[n] * depth, {closing, closing, speeds[n]}, dt, 1.0 / batch,
+                                              {.dissipated_budget = dissipated_budget});
+            pressure += response.pressure, dissipated += response.dissipated;
         }
-        reserve += gained;
+        dissipated_budget += dissipated;
         ::benchmark::DoNotOptimize(pressure);
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batch));

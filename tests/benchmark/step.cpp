@@ -77,7 +77,7 @@ Cost cost_of(Stepper& stepper, const std::function<void()>& step, const parallel
     cost.allocations = allocations() - allocated;
     cost.bytes = static_cast<std::int64_t>(bytes_held() - held_before);
     const auto& model = stepper.model();
-    cost.elements = static_cast<std::int64_t>(model.places.size());
+    cost.elements = static_cast<std::int64_t>(model.slots.size());
     cost.positions.assign(model.nodes.x.begin(), model.nodes.x.begin() + model.nodes.count);
     return cost;
 }

@@ -51,7 +51,7 @@ void TextbookStep::advance_elements() {
 
 void TextbookStep::adapt_time_step() {
     const double bound = safety_ * 2 / std::sqrt(bound_.frequency_squared(model_, {}, comm_));
-    bound_.watch(model_);
+    bound_.set_triggers(model_);
     next_check_ = steps_ + bound_.steps_to_next();
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
     dt_ = bound;

@@ -12,7 +12,7 @@ namespace weavefront::test {
 namespace {
 
 using contact::Footprint;
-using contact::Whereabouts;
+using contact::SweptBounds;
 
 bool near(const Footprint& a, const Footprint& b, double reach) {
     const double apart_x = std::max(a.x_low - b.x_high, b.x_low - a.x_high), apart_y = std::max(a.y_low - b.y_high, b.y_low - a.y_high);
@@ -20,18 +20,18 @@ bool near(const Footprint& a, const Footprint& b, double reach) {
 }
 
 /// Global ids by trying all facets, as the header says it.
-std::vector<std::int64_t> by_trying_all(const contact::Surface& surface, const Whereabouts& expected, double reach, std::size_t f) {
+std::vector<std::int64_t> by_trying_all(const contact::Surface& surface, const SweptBounds& swept, double reach, std::size_t f) {
     std::vector<std::int64_t> found;
     if (!surface.alive[f]) return found;
-    const auto footprint = expected.of(surface.facets[f]);
+    const auto footprint = swept.of(surface.facets[f]);
     bool hole = true;
     for (auto ply = surface.facets[f].ply + 1; hole && ply < static_cast<std::int32_t>(surface.plies.size()); ++ply) {
         bool rim = false;
         std::vector<std::int64_t> of_ply;
         for (std::size_t o = 0; o < surface.facets.size(); ++o) {
-            if (surface.facets[o].ply != ply || !surface.alive[o] || !near(footprint, expected.of(surface.facets[o]), reach)) continue;
+            if (surface.facets[o].ply != ply || !surface.alive[o] || !near(footprint, swept.of(surface.facets[o]), reach)) continue;
             of_ply.push_back(surface.facets[o].id);
-            rim = rim || surface.on_rim[o] != 0;
+            rim = rim || surface.on_free_edge[o] != 0;
         }
         hole = rim || of_ply.empty();
         std::ranges::sort(of_ply);
@@ -59,13 +59,13 @@ TEST(Candidates, AreThoseThatTryingAllFinds) {
     for (int n = 0; n < 30; ++n) {
         const auto plies = random_plies(random, 1);
         for (const double reach : {0.0, 0.03, 0.3}) {
-            const auto candidates = contact::find_candidates(plies.surface, Whereabouts(plies.x), reach);
+            const auto candidates = contact::find_candidates(plies.surface, SweptBounds(plies.x), reach);
             ASSERT_EQ(candidates.size(), plies.surface.facets.size());
             for (std::size_t f = 0; f < plies.surface.facets.size(); ++f) {
                 std::vector<std::int64_t> found;
                 for (const auto other : candidates.of(static_cast<std::int32_t>(f)))
                     found.push_back(plies.surface.facets[static_cast<std::size_t>(other)].id);
-                ASSERT_EQ(found, by_trying_all(plies.surface, Whereabouts(plies.x), reach, f)) << n << ' ' << f;
+                ASSERT_EQ(found, by_trying_all(plies.surface, SweptBounds(plies.x), reach, f)) << n << ' ' << f;
             }
         }
     }
@@ -77,7 +77,7 @@ TEST(Candidates, LookPastRimsAndWhereAPlyIsGone) {
     Plies plies;
     for (int ply = 0; ply < 3; ++ply) plies.add(6, {}, [&](double u, double v) { return Vec3(6 * u, 6 * v, ply); });
     const auto looks_past = [&](std::size_t f) {
-        const auto all = contact::find_candidates(plies.surface, Whereabouts(plies.x), 0.1);
+        const auto all = contact::find_candidates(plies.surface, SweptBounds(plies.x), 0.1);
         const auto candidates = all.of(static_cast<std::int32_t>(f));
         return plies.surface.facets[static_cast<std::size_t>(candidates.back())].ply == 2;
     };
@@ -102,14 +102,14 @@ TEST(Candidates, DoNotDependOnWhichFacetsAreGhosts) {
     auto part = plies.surface;
     for (std::size_t i = 0; i < order.size(); ++i)
         part.facets[i] = plies.surface.facets[order[i]], part.alive[i] = plies.surface.alive[order[i]],
-        part.on_rim[i] = plies.surface.on_rim[order[i]];
+        part.on_free_edge[i] = plies.surface.on_free_edge[order[i]];
     part.owned = owned;
-    const auto candidates = contact::find_candidates(part, Whereabouts(plies.x), 0.05);
+    const auto candidates = contact::find_candidates(part, SweptBounds(plies.x), 0.05);
     ASSERT_EQ(candidates.size(), static_cast<std::size_t>(owned));
     for (std::int32_t f = 0; f < part.owned; ++f) {
         std::vector<std::int64_t> found;
         for (const auto other : candidates.of(f)) found.push_back(part.facets[static_cast<std::size_t>(other)].id);
-        ASSERT_EQ(found, by_trying_all(part, Whereabouts(plies.x), 0.05, static_cast<std::size_t>(f)));
+        ASSERT_EQ(found, by_trying_all(part, SweptBounds(plies.x), 0.05, static_cast<std::size_t>(f)));
     }
 }
 

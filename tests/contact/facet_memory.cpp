@@ -17,7 +17,7 @@ TEST(FacetMemory, IsEachFacetsOwnAndFreshAfterItWasForgotten) {
     memory.forget(4);
     memory.forget(4);
     EXPECT_EQ(memory.find(4), nullptr);
-    EXPECT_EQ(memory.take(2), 0) << "in the place of what was forgotten";
+    EXPECT_EQ(memory.take(2), 0) << "in the slot of what was forgotten";
     EXPECT_EQ(memory.take(4), 0);
     EXPECT_EQ(*memory.find(7), 70);
 }

@@ -21,7 +21,7 @@ PenaltyLaw plain() { return {{.stiffness = k, .unloading = u, .damping = 0}, 0.2
 /// Sides that move along the force only.
 contact::RelativeMotion straight(double closing) { return {closing, closing, std::abs(closing)}; }
 
-/// A facet of one point that has no energy to spend on healing.
+/// A facet of one point that has no energy to spend on recovery.
 double advance(const PenaltyLaw& law, Penetration& point, double geometric, double closing, double dt) {
     return law.advance(point, geometric, straight(closing), dt, 1, {}).pressure;
 }
@@ -101,8 +101,8 @@ TEST(PenaltyLaw, SlidingChangesThePressureAlongTheLoadingSlopeWhateverTheOpening
     move(law, point, g, G, 10);
     const double opened = 0.05 * G, pressure = move(law, point, g, G - opened, 10);
     const auto slide = [&](double to) {
-        const auto pressed = law.advance(point, to, sliding(G), 1, 1, {});
-        return pressed;
+        const auto response = law.advance(point, to, sliding(G), 1, 1, {});
+        return response;
     };
     const auto away = slide(0.8 * G), back = slide(G - opened);
     EXPECT_NEAR(away.pressure, pressure - k * (G - opened - 0.8 * G), 1e-9 * k * G);
@@ -122,10 +122,10 @@ TEST(PenaltyLaw, TakesBySlidingOnlyTheShareThatItMay) {
     const auto law = plain();
     for (const double share : {0.0, 0.25, 1.0}) {
         Penetration point;
-        const auto pressed = law.advance(point, G, sliding(G), 1, 0.5, {.reserve = 0, .sliding_share = share});
-        EXPECT_NEAR(pressed.pressure, share * k * G, 1e-9 * k * G);
-        EXPECT_NEAR(pressed.sliding.wanted, 0.5 * k * G * G / (2 * u), 1e-9 * k * G * G);
-        EXPECT_NEAR(pressed.sliding.taken, 0.5 * share * share * k * G * G / (2 * u), 1e-9 * k * G * G);
+        const auto response = law.advance(point, G, sliding(G), 1, 0.5, {.dissipated_budget = 0, .sliding_share = share});
+        EXPECT_NEAR(response.pressure, share * k * G, 1e-9 * k * G);
+        EXPECT_NEAR(response.sliding.wanted, 0.5 * k * G * G / (2 * u), 1e-9 * k * G * G);
+        EXPECT_NEAR(response.sliding.taken, 0.5 * share * share * k * G * G / (2 * u), 1e-9 * k * G * G);
         EXPECT_NEAR(point.ignored, (1 - share) * G, 1e-12 * G);
     }
 }
@@ -155,17 +155,17 @@ TEST(PenaltyLaw, AClosedCycleTakesTheAreaBetweenTheLines) {
 
 /// Two plies that overlap, seen from their common centre of mass.
 struct Overlap {
-    double mass, g, reserve;  // kg/m2, m, J/m2
-    double closing = 0;       // m/s
+    double mass, g, dissipated_budget;  // kg/m2, m, J/m2
+    double closing = 0;                 // m/s
     Penetration point{};
 
     /// Advances by `time` in steps of `dt`, s; returns the largest closing or opening speed.
     double run(const PenaltyLaw& law, double time, double dt) {
         double fastest = 0;
         for (double t = 0; t < time; t += dt) {
-            const auto pressed = law.advance(point, g, straight(closing), dt, 1, {.reserve = reserve});
-            const double pressure = pressed.pressure;
-            reserve += pressed.gained;
+            const auto response = law.advance(point, g, straight(closing), dt, 1, {.dissipated_budget = dissipated_budget});
+            const double pressure = response.pressure;
+            dissipated_budget += response.dissipated;
             closing -= pressure / mass * dt;
             g += closing * dt;
             fastest = std::max(fastest, std::abs(closing));
@@ -178,21 +178,21 @@ TEST(PenaltyLaw, HealsALateOverlapGentlyFromWhatTheFacetHasDissipated) {
     const double mass = 0.1, omega = std::sqrt(u * k / mass), period = 2 * std::numbers::pi / omega;
     const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = 0}, mass);
     const double given_at_once = k * G * G / 2;
-    Overlap rich{.mass = mass, .g = G, .reserve = given_at_once};
+    Overlap rich{.mass = mass, .g = G, .dissipated_budget = given_at_once};
     const double fastest = rich.run(law, 1000 * period, 0.05 * period);
     EXPECT_LT(rich.g, 0.05 * G);
-    // Elastic contact would throw the plies apart with omega G/sqrt(u); healing leaves an order of G in a hundred periods.
+    // Elastic contact would throw the plies apart with omega G/sqrt(u); recovery leaves an order of G in a hundred periods.
     EXPECT_LT(fastest, 2 * G / (100 * period));
-    // What they fly apart with is missing from the reserve.
-    EXPECT_GE(rich.reserve, 0);
-    EXPECT_LE(mass * rich.closing * rich.closing / 2, given_at_once - rich.reserve);
+    // What they fly apart with is missing from the dissipated_budget.
+    EXPECT_GE(rich.dissipated_budget, 0);
+    EXPECT_LE(mass * rich.closing * rich.closing / 2, given_at_once - rich.dissipated_budget);
 
-    Overlap poor{.mass = mass, .g = G, .reserve = 0};
+    Overlap poor{.mass = mass, .g = G, .dissipated_budget = 0};
     EXPECT_EQ(poor.run(law, 1000 * period, 0.05 * period), 0);
     EXPECT_EQ(poor.g, G);
 
     const PenaltyLaw elastic({.stiffness = k, .unloading = 1, .damping = 0.2}, mass);
-    Overlap kept{.mass = mass, .g = G, .reserve = given_at_once};
+    Overlap kept{.mass = mass, .g = G, .dissipated_budget = given_at_once};
     EXPECT_EQ(kept.run(elastic, 1000 * period, 0.05 * period), 0);
 }
 
@@ -202,25 +202,26 @@ TEST(PenaltyLaw, TakesMoreThanItGivesWhateverTheGeometryDoes) {
     std::uniform_real_distribution<double> one(-1, 1);
     for (const double damping : {0.0, 0.2}) {
         const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = damping}, mass);
-        double healed = 0;
+        double recovered = 0;
         for (int path = 0; path < 200; ++path) {
             Penetration point;
-            double g = 0, reserve = 0, work = 0, pressure = 0, closing = 0;
+            double g = 0, dissipated_budget = 0, work = 0, pressure = 0, closing = 0;
             for (int n = 0; n < 5000; ++n) {
                 if (n % 50 == 0) closing = 0.01 * G * one(random) / dt;
                 if (n % 500 == 0) g += G * one(random);  // an element disappears, a facet changes
                 g += closing * dt;
-                const auto pressed = law.advance(point, g, straight(closing), dt, 1, {.reserve = reserve, .sliding_share = 0});
-                work += (pressure + pressed.pressure) / 2 * closing * dt;
-                pressure = pressed.pressure;
-                reserve += pressed.gained;
-                healed += std::max(-pressed.gained, 0.0);
+                const auto response =
+                    law.advance(point, g, straight(closing), dt, 1, {.dissipated_budget = dissipated_budget, .sliding_share = 0});
+                work += (pressure + response.pressure) / 2 * closing * dt;
+                pressure = response.pressure;
+                dissipated_budget += response.dissipated;
+                recovered += std::max(-response.dissipated, 0.0);
                 const double step = u * k * 0.01 * G * 0.01 * G;  // what a step over the corner of a line may give
-                ASSERT_GE(reserve, -step);
+                ASSERT_GE(dissipated_budget, -step);
                 ASSERT_GE(work, -step) << path << ' ' << n;
             }
         }
-        EXPECT_GT(healed, 0);
+        EXPECT_GT(recovered, 0);
     }
 }
 
@@ -261,27 +262,27 @@ TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
     const auto random_number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
     contact::PenetrationLanes points;
     std::array<Penetration, contact::batch_width> one_by_one{};
-    double reserve = 0;
+    double dissipated_budget = 0;
     int slid = 0;
     for (int step = 0; step < 300; ++step) {
         contact::Lanes geometric, share;
         contact::RelativeMotionLanes motion;
         contact::LaneMask met;
-        const contact::Surroundings around{reserve, random_number(0, 1)};
+        const contact::Surroundings around{dissipated_budget, random_number(0, 1)};
         for (std::size_t i = 0; i < contact::batch_width; ++i) {
             geometric[i] = random_number(-G / 4, G), motion.closing[i] = random_number(-50, 50), share[i] = 0.125;
             motion.most[i] = random_number(0, 200);
             met[i] = random_number(0, 1) < 0.8;
         }
-        contact::Pressed sum, expected;
+        contact::ContactResponse sum, expected;
         const auto pressure = law.advance(points, met, geometric, motion, 1e-7, share, around, sum);
         for (std::size_t i = 0; i < contact::batch_width; ++i) {
             if (met[i]) {
                 const contact::RelativeMotion of_point{motion.closing[i], motion.closing[i], motion.most[i]};
-                const auto pressed = law.advance(one_by_one[i], geometric[i], of_point, 1e-7, share[i], around);
-                ASSERT_EQ(pressure[i], pressed.pressure);
-                expected.gained += pressed.gained;
-                expected.sliding.add(pressed.sliding);
+                const auto response = law.advance(one_by_one[i], geometric[i], of_point, 1e-7, share[i], around);
+                ASSERT_EQ(pressure[i], response.pressure);
+                expected.dissipated += response.dissipated;
+                expected.sliding.add(response.sliding);
             } else {
                 ASSERT_EQ(pressure[i], 0);
             }
@@ -289,12 +290,12 @@ TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
             ASSERT_EQ(points.ignored[i], one_by_one[i].ignored);
             ASSERT_EQ(points.opened[i], one_by_one[i].opened);
         }
-        ASSERT_EQ(sum.gained, expected.gained);
+        ASSERT_EQ(sum.dissipated, expected.dissipated);
         ASSERT_EQ(sum.sliding.released, expected.sliding.released);
         ASSERT_EQ(sum.sliding.taken, expected.sliding.taken);
         ASSERT_EQ(sum.sliding.wanted, expected.sliding.wanted);
         slid += sum.sliding.taken > 0;
-        reserve += sum.gained;
+        dissipated_budget += sum.dissipated;
     }
     EXPECT_GT(slid, 0);
 }
@@ -304,7 +305,7 @@ TEST(PenaltyLaw, PointsOfAFacetHealAlikeInAnyOrder) {
     const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = 0}, 0.1);
     const auto heal = [&](bool backwards) {
         contact::PenetrationLanes points;
-        double reserve = 1e-3 * k * G * G;  // for a few points
+        double dissipated_budget = 1e-3 * k * G * G;  // for a few points
         for (int step = 0; step < 1000; ++step) {
             contact::Lanes geometric, share;
             contact::LaneMask met;
@@ -313,9 +314,9 @@ TEST(PenaltyLaw, PointsOfAFacetHealAlikeInAnyOrder) {
                 const std::size_t place = backwards ? contact::batch_width - 1 - i : i;
                 geometric[place] = G * static_cast<double>(1 + i), share[place] = 0.125;
             }
-            contact::Pressed sum;
-            const auto pressure = law.advance(points, met, geometric, {}, 1e-7, share, {.reserve = reserve}, sum);
-            EXPECT_GE(reserve += sum.gained, -1e-12 * k * G * G);
+            contact::ContactResponse sum;
+            const auto pressure = law.advance(points, met, geometric, {}, 1e-7, share, {.dissipated_budget = dissipated_budget}, sum);
+            EXPECT_GE(dissipated_budget += sum.dissipated, -1e-12 * k * G * G);
             static_cast<void>(pressure);
         }
         std::array<double, contact::batch_width> present;

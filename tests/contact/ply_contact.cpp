@@ -1,4 +1,4 @@
-/// Plies pressed together.
+/// Plies response together.
 
 #include "weavefront/contact/ply_contact.hpp"
 
@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "surfaces.hpp"
-#include "weavefront/contact/touching.hpp"
+#include "weavefront/contact/contact_distances.hpp"
 
 namespace weavefront::test {
 namespace {
@@ -27,7 +27,7 @@ std::vector<contact::PairForce> press(PlyContact& contact, Plies& plies, std::si
     Positions v(plies.x.size(), Vec3::Zero());
     for (std::size_t n = 0; n < moving; ++n) v[n] = travel / (steps * dt);
     contact::ContactForces forces;
-    contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, skin);
+    contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), plies.x, skin);
     for (int step = 0; step < steps; ++step) {
         for (std::size_t n = 0; n < moving; ++n) plies.x[n] += dt * v[n];
         forces.clear();
@@ -102,10 +102,10 @@ TEST(PlyContact, APlyHidesThoseBehindItButAtItsRims) {
     plies.add(8, ply_at(2 * gap), flat(side, 2 * gap));
     plies.erode([](std::size_t f) { return f == 64; });
     PlyContact contact(elastic, 0.5e-3, plies.surface, plies.x);
-    std::vector<bool> pressed(64, false);
+    std::vector<bool> response(64, false);
     for (const auto& pair : press(contact, plies, 81, {0, 0, 2 * gap - thickness + 0.01e-3}, side))
-        pressed[static_cast<std::size_t>(pair.slave[0] / 9 * 8 + pair.slave[0] % 9)] = true;
-    for (std::size_t f = 0; f < 64; ++f) EXPECT_EQ(pressed[f], f % 8 <= 2 && f / 8 <= 2) << f;
+        response[static_cast<std::size_t>(pair.slave[0] / 9 * 8 + pair.slave[0] % 9)] = true;
+    for (std::size_t f = 0; f < 64; ++f) EXPECT_EQ(response[f], f % 8 <= 2 && f / 8 <= 2) << f;
 }
 
 /// Two plies that shear, turn and approach each other while their nodes chatter: some of it in a pass, by chance.
@@ -164,8 +164,8 @@ TEST(PlyContact, WaitingChangesNoBit) {
         Motion motion(random, plies.x, 13 * 13);
         PlyContact waiting(law, 0.25e-3, plies.surface, plies.x);
         auto anew = waiting;
-        waiting.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, skin);
-        std::size_t touched = 0, let_go = 0;
+        waiting.update_candidates(plies.surface, contact::SweptBounds(plies.x), plies.x, skin);
+        std::size_t touched = 0, ignore = 0;
         for (int step = 1; step <= 60; ++step) {
             auto x = motion.at(step * dt);
             Positions v(x.size());
@@ -180,15 +180,15 @@ TEST(PlyContact, WaitingChangesNoBit) {
                 next.restore(f, record);
             }
             anew = std::move(next);
-            anew.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, skin);
+            anew.update_candidates(plies.surface, contact::SweptBounds(plies.x), plies.x, skin);
             anew.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, 0.7, of_anew);
-            auto &forces = of_waiting.pairs, &expected = of_anew.pairs;
-            sort(forces), sort(expected);
-            ASSERT_TRUE(same_bits(forces, expected)) << "pass " << pass << ", step " << step;
-            touched = std::max(touched, expected.size()), let_go += expected.size() < touched;
+            auto &forces = of_waiting.pairs, &swept = of_anew.pairs;
+            sort(forces), sort(swept);
+            ASSERT_TRUE(same_bits(forces, swept)) << "pass " << pass << ", step " << step;
+            touched = std::max(touched, swept.size()), ignore += swept.size() < touched;
         }
         EXPECT_GT(touched, 0U) << pass;
-        EXPECT_GT(let_go, 0U) << pass;
+        EXPECT_GT(ignore, 0U) << pass;
     }
 }
 
@@ -205,7 +205,7 @@ TEST(PlyContact, ForgetsWhatItTouchedWhenThatIsFarAwayAtOnce) {
 
 TEST(PlyContact, PliesThatTouchAtTheStartPushWhenTheyHaveComeNearerByTheSlack) {
     for (const double distance : {thickness, thickness / 2}) {  // touching, and closer than their thickness
-        const double slack = contact::Touching::slack * distance;
+        const double slack = contact::ContactDistances::slack * distance;
         Plies plies;
         plies.add(4, ply_at(0), flat(side, 0));
         plies.add(4, ply_at(distance), flat(side, distance));

@@ -1,4 +1,4 @@
-/// The projectile pressed on plies.
+/// The projectile response on plies.
 
 #include "weavefront/contact/projectile_contact.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 constexpr double k = 5e12, side = 8e-3, speed = 100, dt = 1e-8;
 const scene::ContactLaw elastic{.stiffness = k, .unloading = 1, .damping = 0};
 
-contact::Footprint nose(const contact::ProjectileState& state) { return contact::Whereabouts({&state.position, 1}).of_node(0); }
+contact::Footprint nose(const contact::ProjectileState& state) { return contact::SweptBounds({&state.position, 1}).of_node(0); }
 
 /// Presses a projectile `depth` into a flat fixed ply at z = 0; returns the forces.
 contact::PairForce total(const scene::Projectile& projectile, double spacing, double depth, double thickness) {
@@ -23,7 +23,7 @@ contact::PairForce total(const scene::Projectile& projectile, double spacing, do
     contact::ProjectileContact contact(projectile, elastic, spacing, plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0.013e-3, 0.021e-3, -thickness / 2 - 2.5 * speed * dt}, {0, 0, speed}};
-    contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
+    contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
     contact::ContactForces forces;
     while (state.position.z() + speed * dt <= depth - thickness / 2) {
         state.position.z() += speed * dt;
@@ -82,7 +82,7 @@ TEST(ProjectileContact, AFastFaceMeetsThePlyUpToItsRim) {
         contact::ProjectileContact contact(cylinder, elastic, 0.03e-3, plies.surface, plies.x);
         const Positions v(plies.x.size(), Vec3::Zero());
         contact::ProjectileState state{{0.013e-3, 0.021e-3, -gap}, {0, 0, fast}};
-        contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
+        contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
         contact::ContactForces forces;
         contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, 0, 1, forces);
         while (forces.pairs.empty()) {
@@ -106,7 +106,7 @@ Vec3 push_on_leaning_ply(std::optional<double> spacing, double angle) {
     contact::ProjectileContact contact(cylinder, elastic, spacing, plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0, 0, -1.1e-3}, {0, 0, speed}};
-    contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
+    contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
     contact::ContactForces forces;
     for (int step = 0; step < 1100; ++step) {
         state.position.z() += speed * dt;
@@ -132,7 +132,7 @@ TEST(ProjectileContact, TouchesNothingBesideItsFootprintOrEroded) {
     contact::ProjectileContact contact(cylinder, elastic, 0.25e-3, plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0, 0, -0.5e-6}, {0, 0, speed}};
-    contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), nose(state), 0.1e-3);
+    contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
     contact::ContactForces forces;
     contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, 1, forces);
     EXPECT_TRUE(forces.pairs.empty());

@@ -45,7 +45,7 @@ TEST(Ray, FindsTheKnownPointOfAWarpedFacet) {
             set(rays.direction, i, direction);
             set(rays.origin, i, at(facet, xi[i], eta[i]) - distance[i] * direction);
         }
-        const auto hits = contact::meet(rays, facet);
+        const auto hits = contact::intersect(rays, facet);
         for (std::size_t i = 0; i < batch_width; ++i) {
             ASSERT_TRUE(hits.hit[i]) << n << ' ' << i;
             ASSERT_NEAR(hits.xi[i], xi[i], 1e-9);
@@ -55,7 +55,7 @@ TEST(Ray, FindsTheKnownPointOfAWarpedFacet) {
         // seen from the other side nothing is met
         for (std::size_t i = 0; i < batch_width; ++i)
             set(rays.direction, i, -Vec3(rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]));
-        for (const bool hit : contact::meet(rays, facet).hit) ASSERT_FALSE(hit);
+        for (const bool hit : contact::intersect(rays, facet).hit) ASSERT_FALSE(hit);
     }
 }
 
@@ -71,7 +71,7 @@ TEST(Ray, MissesWhatLiesBeside) {
             set(rays.direction, i, Vec3(0, 0, 1));
             set(rays.origin, i, at(facet, xi, eta) - Vec3(0, 0, 0.5));
         }
-        const auto hits = contact::meet(rays, facet);
+        const auto hits = contact::intersect(rays, facet);
         for (std::size_t i = 0; i < batch_width; ++i) ASSERT_EQ(hits.hit[i], inside[i]);
     }
 }
@@ -97,7 +97,7 @@ TEST(Ray, NoLineSlipsBetweenFacets) {
         }
         std::array<int, batch_width> found{};
         for (const auto& facet : plies.surface.facets) {
-            const auto hits = contact::meet(rays, contact::corners_of(facet.nodes, plies.x));
+            const auto hits = contact::intersect(rays, contact::corners_of(facet.nodes, plies.x));
             for (std::size_t lane = 0; lane < batch_width; ++lane) found[lane] += hits.hit[lane];
         }
         for (const int count : found) ASSERT_GE(count, 1);

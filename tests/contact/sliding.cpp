@@ -53,7 +53,7 @@ Rebound meet_plane(const scene::Projectile& projectile, double unloading, double
     contact::ContactForces forces;
     Rebound rebound{};
     for (int step = 0; step < 2500; ++step) {
-        contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), contact::Whereabouts({&state.position, 1}).of_node(0),
+        contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), contact::SweptBounds({&state.position, 1}).of_node(0),
                                   1e-3);
         forces.clear();
         contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, at_rest, state, dt, account.share(), forces);
@@ -95,7 +95,7 @@ Rebound bounce_on_waves(double unloading, const Vec3& sliding, int facets, bool 
     const std::size_t begin = upper_moves ? 0 : first, end = upper_moves ? first : plies.x.size();
     double depth = 0, way = 0;
     for (int step = 0; step < 1500; ++step) {
-        if (step % 20 == 0) contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), plies.x, 1.5e-3);
+        if (step % 20 == 0) contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), plies.x, 1.5e-3);
         forces.clear();
         contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, step > 0 ? step_length : 0, account.share(), forces);
         book(account, forces);
@@ -143,7 +143,7 @@ Vec3 push_of_sphere(bool wrapped) {
     contact::ProjectileContact contact(sphere, law(1), 0.25e-3, plies.surface, plies.x);
     const Vec3 velocity(100, 0, 20);
     contact::ProjectileState state{-40 * dt * velocity - Vec3(0, 0, 0.07e-3), velocity};
-    contact.update_candidates(plies.surface, contact::Whereabouts(plies.x), contact::Whereabouts({&state.position, 1}).of_node(0), 1e-3);
+    contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), contact::SweptBounds({&state.position, 1}).of_node(0), 1e-3);
     contact::ContactForces forces;
     for (int step = 0; step < 60; ++step) {
         state.position += dt * velocity;

@@ -38,10 +38,10 @@ struct Plies {
             if (surface.alive[f]) continue;
             for (const auto node : surface.facets[f].nodes) lost[static_cast<std::size_t>(node)] = true;
         }
-        surface.on_rim.assign(surface.facets.size(), 0);
+        surface.on_free_edge.assign(surface.facets.size(), 0);
         for (std::size_t f = 0; f < surface.facets.size(); ++f)
             for (const auto node : surface.facets[f].nodes)
-                if (surface.alive[f] && lost[static_cast<std::size_t>(node)]) surface.on_rim[f] = 1;
+                if (surface.alive[f] && lost[static_cast<std::size_t>(node)]) surface.on_free_edge[f] = 1;
     }
 
     /// Appends a ply of n x n facets. Areas are those of the shape.
@@ -59,7 +59,7 @@ struct Plies {
                 const auto corners = contact::corners_of(facet.nodes, x);
                 surface.facets.push_back(facet);
                 surface.alive.push_back(1);
-                surface.areas.period.push_back((corners[2] - corners[0]).cross(corners[3] - corners[1]).norm() / 2);
+                surface.areas.one_ply.push_back((corners[2] - corners[0]).cross(corners[3] - corners[1]).norm() / 2);
             }
         surface.owned = static_cast<std::int32_t>(surface.facets.size());
     }

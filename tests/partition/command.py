@@ -29,7 +29,7 @@ contact: {projectile: {}, plies: {}}
 time: {end: 40 us}
 output: {interval: 0, history: 1 us}
 """
-MACHINE = {"machine": "by hand", "ranks": 1, "pace_ns": 50, "crowding": 1, "element_ns": 100, "node_ns": 20, "watch_ns": 0, "touch_ns": 0, "press_ns": 0, "relief": 0,
+MACHINE = {"machine": "by hand", "ranks": 1, "reference_ns": 50, "crowding": 1, "element_ns": 100, "node_ns": 20, "watch_ns": 0, "touch_ns": 0, "press_ns": 0, "decay": 0,
            "search_ns": 0, "searches_per_step": 0, "latency_us": 0, "bandwidth_GB_per_s": 1e9, "reduction_us": 0}
 
 
@@ -63,7 +63,7 @@ class Partition(unittest.TestCase):
         rows = self.rows("table.csv")
         self.assertEqual(list(rows[0]), ["ranks", "elements", "columns", "element_imbalance", "cost_imbalance", "cut_edges", "most_neighbours",
                                          "most_halo_bytes", "halo_bytes", "step_seconds", "efficiency", "measured_seconds",
-                                         "measured_pace"])
+                                         "measured_slowdown"])
         self.assertEqual([row["ranks"] for row in rows], ["1", "2", "7", "400"])
         self.assertTrue(all(row["elements"] == "800" and row["columns"] == "400" and row["measured_seconds"] == "" for row in rows))
         self.assertEqual((rows[0]["efficiency"], rows[0]["halo_bytes"]), ("1", "0"))
@@ -97,9 +97,9 @@ class Partition(unittest.TestCase):
         self.call("--ranks", "1,2,4", "--measure", *finer, "--machine", "here.json", "--out", "table.csv", processes=2)
         measured = [row["measured_seconds"] for row in self.rows("table.csv")]
         self.assertEqual([seconds != "" for seconds in measured], [True, True, False])
-        # The same steps that the constants were fitted to, in processor time and at the pace of the processor.
+        # The same steps that the constants were fitted to, in processor time and at the speed of the processor.
         alone = self.rows("table.csv")[0]
-        self.assertLess(abs(float(alone["step_seconds"]) * float(alone["measured_pace"]) / float(measured[0]) - 1), 0.5)
+        self.assertLess(abs(float(alone["step_seconds"]) * float(alone["measured_slowdown"]) / float(measured[0]) - 1), 0.5)
 
     def test_a_guard_stop_of_measured_steps_ends_all_processes(self):
         stiff = ("--set", "contact.projectile={stiffness: 1e308 N/m^3}")
@@ -123,22 +123,22 @@ class Partition(unittest.TestCase):
         self.assertFalse((self.folder / "m.json").exists())
 
     def test_refused_machines(self):
-        for changes, message in (({"elment_ns": 1}, ":1:270: elment_ns: found an unknown key"),
-                                 ({"element_ns": "fast"}, ":1:66: element_ns: found \"fast\", allowed a number of at least 0 and at most 1000000000"),
-                                 ({"element_ns": [1, {"element_ns": 2}]}, ":1:66: element_ns: found [], allowed a number"),
-                                 ({"crowding": 0.5}, ":1:51: crowding: found 0.5, allowed a number of at least 1"),
+        for changes, message in (({"elment_ns": 1}, ":1:274: elment_ns: found an unknown key"),
+                                 ({"element_ns": "fast"}, ":1:71: element_ns: found \"fast\", allowed a number of at least 0 and at most 1000000000"),
+                                 ({"element_ns": [1, {"element_ns": 2}]}, ":1:71: element_ns: found [], allowed a number"),
+                                 ({"crowding": 0.5}, ":1:56: crowding: found 0.5, allowed a number of at least 1"),
                                  ({"ranks": 0}, ":1:24: ranks: found 0, allowed a whole number from 1 to 1000000"),
-                                 ({"element_ns": 1e308}, ":1:66: element_ns: found 1e+308, allowed a number of at least 0 and at most 1000000000"),
-                                 ({"element_ns": float("nan")}, ":1:80: not JSON: syntax error"),
-                                 ({"element_ns": float("inf")}, ":1:80: not JSON: syntax error")):
+                                 ({"element_ns": 1e308}, ":1:71: element_ns: found 1e+308, allowed a number of at least 0 and at most 1000000000"),
+                                 ({"element_ns": float("nan")}, ":1:85: not JSON: syntax error"),
+                                 ({"element_ns": float("inf")}, ":1:85: not JSON: syntax error")):
             self.machine(**changes)
             self.assertIn("machine.json" + message, self.refusal("--ranks", "2", "--machine", "machine.json"))
         text = json.dumps(MACHINE, indent=1)
         for wrong, messages in ((text.replace('"node_ns": 20', '"node_ns": 20,\n "node_ns": 21'),
                                  [":8:2: node_ns: found the key again, first at machine.json:7:2, allowed once"]),
                                 (text.replace('"node_ns": 20,', '"node_ns": 20'), [":8:11: not JSON: syntax error while parsing object"]),
-                                (text.replace('"node_ns": 20', '"node_ns": -1').replace('"relief": 0', '"releif": 0'),
-                                 [":1:1: relief: found nothing", ":7:2: node_ns: found -1", ":11:2: releif: found an unknown key"]),
+                                (text.replace('"node_ns": 20', '"node_ns": -1').replace('"decay": 0', '"deacy": 0'),
+                                 [":1:1: decay: found nothing", ":7:2: node_ns: found -1", ":11:2: deacy: found an unknown key"]),
                                 ("machine: x", [":1:1: not JSON: syntax error while parsing value"]), ("[1]", [":1:1: found no object"]),
                                 ("{}", [f":1:1: {key}: found nothing, allowed are all of machine, ranks, " for key in MACHINE])):
             (self.folder / "machine.json").write_text(wrong)

@@ -80,17 +80,17 @@ TEST(ContactZone, GrowsWithTheTransverseWave) {
     const partition::ContactZone zone(scene);
     EXPECT_DOUBLE_EQ(zone.radius(0), 0.5);
     EXPECT_DOUBLE_EQ(zone.radius(5), 2.9);
-    EXPECT_EQ(zone.presence(0.4), 1);
-    EXPECT_DOUBLE_EQ(zone.presence(1.7), 0.5);
-    EXPECT_EQ(zone.presence(3), 0);
-    EXPECT_DOUBLE_EQ(zone.presence(0.4, 0.5), 0.75);
-    EXPECT_DOUBLE_EQ(zone.presence(1.7, 0.5), 0.5 * (1 - 0.75 * 0.5));
-    EXPECT_EQ(zone.pressing(0), 1);
-    EXPECT_DOUBLE_EQ(zone.pressing(0.5), 0.75);
-    EXPECT_EQ(zone.pressing(1.01), 0);
+    EXPECT_EQ(zone.contact_time_share(0.4), 1);
+    EXPECT_DOUBLE_EQ(zone.contact_time_share(1.7), 0.5);
+    EXPECT_EQ(zone.contact_time_share(3), 0);
+    EXPECT_DOUBLE_EQ(zone.contact_time_share(0.4, 0.5), 0.75);
+    EXPECT_DOUBLE_EQ(zone.contact_time_share(1.7, 0.5), 0.5 * (1 - 0.75 * 0.5));
+    EXPECT_EQ(zone.press_weight(0), 1);
+    EXPECT_DOUBLE_EQ(zone.press_weight(0.5), 0.75);
+    EXPECT_EQ(zone.press_weight(1.01), 0);
     scene.contact.plies.reset();
     EXPECT_DOUBLE_EQ(partition::ContactZone(scene).radius(5), 0.5);
-    EXPECT_EQ(partition::ContactZone(scene).pressing(0), 0);
+    EXPECT_EQ(partition::ContactZone(scene).press_weight(0), 0);
     scene.contact.projectile.reset();
     EXPECT_LT(partition::ContactZone(scene).radius(5), 0);
 }

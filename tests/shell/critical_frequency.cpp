@@ -38,7 +38,7 @@ Positions forces_at(const scene::Fabric& fabric, const Mesh& mesh, double angle,
 
 struct Frequencies {
     double bound;  ///< omega^2, 1/s2
-    double sharp;  ///< the same with crossovers let go, without anything lent
+    double sharp;  ///< the same with crossovers let go, without null Lagrangian terms
     double exact;
 };
 
@@ -58,10 +58,11 @@ Frequencies frequencies(const scene::Fabric& fabric, const Mesh& mesh, double an
     }
     const double area = shell::make_quad(corners_of(mesh, 0, mesh.X), angle).area, nodal_mass = fabric.areal_density * area / 4;
     const auto held = elements.group->frequencies();
-    const shell::SharpeningStart start{{held.along * 1e-6}, 4 * held.along, held.across, held.hourglass, Eigen::Vector3d::UnitZ(), area};
-    shell::SharperBounds sharper = start.least;
-    elements.group->sharpen(start, x, sharper);
-    return {std::max(held.along, held.across), std::max(sharper[0], held.across), largest_eigenvalue(K) / nodal_mass};
+    const shell::TighteningStart start{{held.in_plane * 1e-6}, 4 * held.in_plane,        held.out_of_plane,
+                                       held.hourglass,         Eigen::Vector3d::UnitZ(), area};
+    shell::TightBounds tighter = start.least;
+    elements.group->tighten(start, x, tighter);
+    return {std::max(held.in_plane, held.out_of_plane), std::max(tighter[0], held.out_of_plane), largest_eigenvalue(K) / nodal_mass};
 }
 
 Mesh square() {
@@ -172,8 +173,8 @@ TEST(CriticalFrequency, IsThatOfElementsRestoredElsewhere) {
         here.group->restore(e, record);
     }
     for (auto* elements : {&there, &here}) elements->nodal_forces(stretched(0.09));
-    EXPECT_EQ(there.group->frequencies().along, here.group->frequencies().along);
-    EXPECT_EQ(there.group->frequencies().across, here.group->frequencies().across);
+    EXPECT_EQ(there.group->frequencies().in_plane, here.group->frequencies().in_plane);
+    EXPECT_EQ(there.group->frequencies().out_of_plane, here.group->frequencies().out_of_plane);
 }
 
 }  // namespace

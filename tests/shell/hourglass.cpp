@@ -108,8 +108,8 @@ TEST(Hourglass, LeavesWithAnErodedElement) {
     EXPECT_FALSE(elements.group->alive(0));
     EXPECT_EQ(largest(elements.nodal_forces(x)), 0);
     EXPECT_EQ(elements.energy(), 0);
-    EXPECT_EQ(elements.group->frequencies().along, 0);
-    EXPECT_EQ(elements.group->frequencies().across, 0);
+    EXPECT_EQ(elements.group->frequencies().in_plane, 0);
+    EXPECT_EQ(elements.group->frequencies().out_of_plane, 0);
 }
 
 }  // namespace

@@ -18,15 +18,15 @@ std::vector<shell::Quad<double>> random_quads(std::size_t count) {
 }
 
 TEST(RepeatedQuads, ReadBackAsTheyWereFromOnePeriod) {
-    for (const std::size_t period : {1, 3, 7, 8, 12, 20})
+    for (const std::size_t repeat : {1, 3, 7, 8, 12, 20})
         for (const std::size_t count : {1, 5, 8, 24, 61}) {
-            const auto own = random_quads(period);
+            const auto own = random_quads(repeat);
             std::vector<shell::Quad<double>> quads;
-            for (std::size_t i = 0; i < count; ++i) quads.push_back(own[i % period]);
+            for (std::size_t i = 0; i < count; ++i) quads.push_back(own[i % repeat]);
             const shell::RepeatedQuads repeated(quads);
-            ASSERT_EQ(repeated.period(), static_cast<std::int32_t>(std::min(period, count)));
+            ASSERT_EQ(repeated.repeat_length(), static_cast<std::int32_t>(std::min(repeat, count)));
             for (std::size_t i = 0; i < count; ++i) {
-                const auto at = static_cast<std::int32_t>(i) % repeated.period();
+                const auto at = static_cast<std::int32_t>(i) % repeated.repeat_length();
                 ASSERT_EQ(repeated.of(at).Bf1, quads[i].Bf1);
                 ASSERT_EQ(repeated.of(at).shape, quads[i].shape);
                 const auto pack = repeated.pack_from(at);
@@ -43,7 +43,7 @@ TEST(RepeatedQuads, OneThatDiffersInTheLastBitIsKept) {
     quads.insert(quads.end(), quads.begin(), quads.begin() + 4);
     quads[6].e1 = std::nextafter(quads[6].e1, 2);
     const shell::RepeatedQuads repeated(quads);
-    EXPECT_EQ(repeated.of(6 % repeated.period()).e1, quads[6].e1);
+    EXPECT_EQ(repeated.of(6 % repeated.repeat_length()).e1, quads[6].e1);
     EXPECT_EQ(repeated.of(2).e1, quads[2].e1);
 }
 

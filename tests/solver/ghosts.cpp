@@ -39,8 +39,8 @@ TEST(Ghosts, AreWhereTheirOwnersHaveThem) {
             const auto corners = panel.footprint(facet.id % panel.columns());
             for (std::size_t a = 0; a < 4; ++a) {
                 const auto node = 3 * (corners[a] + facet.id / panel.columns() * panel.nodes_per_ply());
-                const Vec3 expected(all.data() + node);
-                ASSERT_EQ(simulation.model().nodes.x[static_cast<std::size_t>(facet.nodes[a])], expected) << round << ' ' << facet.id;
+                const Vec3 swept(all.data() + node);
+                ASSERT_EQ(simulation.model().nodes.x[static_cast<std::size_t>(facet.nodes[a])], swept) << round << ' ' << facet.id;
             }
         }
     }
@@ -59,9 +59,9 @@ TEST(Ghosts, AreReplacedOnlyWhereTheyDoNotSuffice) {
     Ghosts ghosts;
     ForceExchange exchange;
     const auto renewed = [&] {
-        const contact::Whereabouts expected(nodes.x);
-        const bool anew = ghosts.renew(comm, model.halo, expected, reach, spare, surface, nodes, exchange);
-        EXPECT_FALSE(ghosts.renew(comm, model.halo, expected, reach, spare, surface, nodes, exchange));
+        const contact::SweptBounds swept(nodes.x);
+        const bool anew = ghosts.renew(comm, model.halo, swept, reach, spare, surface, nodes, exchange);
+        EXPECT_FALSE(ghosts.renew(comm, model.halo, swept, reach, spare, surface, nodes, exchange));
         return anew;
     };
     const auto slide = [&](double way) {
@@ -74,9 +74,9 @@ TEST(Ghosts, AreReplacedOnlyWhereTheyDoNotSuffice) {
     EXPECT_FALSE(renewed());
     slide(2e-3);
     EXPECT_EQ(renewed(), several);
-    surface.on_rim.assign(surface.facets.size(), 0);
+    surface.on_free_edge.assign(surface.facets.size(), 0);
     EXPECT_FALSE(renewed());
-    if (comm.rank() == 0) std::fill_n(surface.on_rim.begin(), surface.owned, 1);
+    if (comm.rank() == 0) std::fill_n(surface.on_free_edge.begin(), surface.owned, 1);
     EXPECT_EQ(renewed(), several);
     if (comm.rank() == 0) std::fill_n(surface.alive.begin(), surface.owned, 0);
     EXPECT_EQ(renewed(), several);

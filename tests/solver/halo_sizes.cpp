@@ -22,16 +22,16 @@ TEST(HaloSizes, AreThoseOfTheLinks) {
 
         const auto& model = simulation.model();
         std::int64_t sent = 0, received = 0;
-        for (const auto& link : model.exchange.links()) {
-            sent += partition::force_bytes * static_cast<std::int64_t>(link.out.whole);
-            received += partition::force_bytes * static_cast<std::int64_t>(link.in.whole);
+        for (const auto& neighbour : model.exchange.neighbours()) {
+            sent += partition::force_bytes * static_cast<std::int64_t>(neighbour.out.dense_count);
+            received += partition::force_bytes * static_cast<std::int64_t>(neighbour.in.dense_count);
         }
         EXPECT_EQ(mine.bytes_sent, sent);
         EXPECT_EQ(mine.bytes_received, received);
-        EXPECT_EQ(mine.messages, static_cast<std::int64_t>(model.exchange.links().size()));
+        EXPECT_EQ(mine.messages, static_cast<std::int64_t>(model.exchange.neighbours().size()));
         EXPECT_EQ(mine.nodes, model.nodes.count);
         EXPECT_EQ(mine.ghosts, static_cast<std::int64_t>(model.nodes.x.size()) - model.nodes.count);
-        EXPECT_EQ(mine.columns * static_cast<std::int64_t>(panel.plies.size()), static_cast<std::int64_t>(model.places.size()));
+        EXPECT_EQ(mine.columns * static_cast<std::int64_t>(panel.plies.size()), static_cast<std::int64_t>(model.slots.size()));
     }
 }
 

@@ -32,13 +32,13 @@ TEST(HeavyProjectile, HandsOverWhatItsMotionMakesTheFabricTake) {
     EXPECT_NEAR(heavy.internal / less.internal, 1, 1e-4);
     EXPECT_NEAR(heavy.kinetic_fabric / less.kinetic_fabric, 1, 1e-4);
     EXPECT_NEAR(heavy.contact / less.contact, 1, 1e-2);
-    EXPECT_NEAR(heavy.turnover / less.turnover, 1, 1e-4) << "its own energy is no part of it";
-    EXPECT_LT(std::abs(heavy.closure), 1e-3);
+    EXPECT_NEAR(heavy.transferred_energy / less.transferred_energy, 1, 1e-4) << "its own energy is no part of it";
+    EXPECT_LT(std::abs(heavy.closure_error), 1e-3);
 }
 
 TEST(Guard, StopsARunInWhichYarnsFrictionOrContactGiveEnergyFromNowhere) {
     Balance balance;
-    balance.turnover = 10;
+    balance.transferred_energy = 10;
     EXPECT_NO_THROW(require_balance(balance, 0.05, 1));
     for (double Balance::*energy : {&Balance::internal, &Balance::friction, &Balance::contact}) {
         auto bad = balance;

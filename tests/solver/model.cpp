@@ -20,18 +20,18 @@ TEST(Model, EveryElementHasItsPlaceItsShapeAndItsPly) {
     const Simulation simulation(scene_with(five_plies), comm);
     const auto& model = simulation.model();
     const auto& panel = simulation.panel();
-    ASSERT_EQ(static_cast<std::int32_t>(model.places.size()), model.surface.owned);
+    ASSERT_EQ(static_cast<std::int32_t>(model.slots.size()), model.surface.owned);
     for (std::int32_t e = 0; e < model.surface.owned; ++e) {
         const auto index = static_cast<std::size_t>(e);
         const auto& facet = model.surface.facets[index];
         ASSERT_EQ(facet.id, model.global.element_ids[index]);
         ASSERT_EQ(facet.ply, facet.id / panel.columns());
-        const auto place = model.places[index];
-        const auto& group = *model.groups[static_cast<std::size_t>(place.group)];
-        ASSERT_EQ(group.element(place.index), e);
-        ASSERT_TRUE(group.alive(place.index));
-        const auto& nodes = group.nodes(place.index / shell::pack_width);
-        for (std::size_t a = 0; a < 4; ++a) ASSERT_EQ(nodes[a][static_cast<std::size_t>(place.index % shell::pack_width)], facet.nodes[a]);
+        const auto slot = model.slots[index];
+        const auto& group = *model.groups[static_cast<std::size_t>(slot.group)];
+        ASSERT_EQ(group.element(slot.index), e);
+        ASSERT_TRUE(group.alive(slot.index));
+        const auto& nodes = group.nodes(slot.index / shell::pack_width);
+        for (std::size_t a = 0; a < 4; ++a) ASSERT_EQ(nodes[a][static_cast<std::size_t>(slot.index % shell::pack_width)], facet.nodes[a]);
         const auto corners = contact::corners_of(facet.nodes, model.nodes.x);
         ASSERT_EQ(model.surface.areas[index], shell::make_quad(corners, 0).area);
     }

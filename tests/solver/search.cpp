@@ -47,9 +47,9 @@ void expect_rims_of_the_whole(const Simulation& simulation, const parallel::Comm
     for (std::size_t f = 0; f < model.surface.facets.size(); ++f) {
         if (!model.surface.alive[f]) continue;
         const auto nodes = nodes_of(model.surface.facets[f].id);
-        const bool on_rim = std::ranges::any_of(nodes, [&](auto node) { return lost[static_cast<std::size_t>(node)] > 0; });
-        ASSERT_EQ(model.surface.on_rim[f] != 0, on_rim) << model.surface.facets[f].id;
-        rims += on_rim;
+        const bool on_free_edge = std::ranges::any_of(nodes, [&](auto node) { return lost[static_cast<std::size_t>(node)] > 0; });
+        ASSERT_EQ(model.surface.on_free_edge[f] != 0, on_free_edge) << model.surface.facets[f].id;
+        rims += on_free_edge;
     }
     comm.sum({&rims, 1});
     EXPECT_GT(rims, 10);

@@ -37,31 +37,32 @@ double largest_eigenvalue(const Matrix8& K, double shift) {
 }
 
 /// Largest eigenvalue of an element of omega^2 `inside` in all uniform modes, with c u_i x u_j on some of its edges: 4 c over its mass is
-/// `lent`, the unknowns are x and y of the four corners. Of the corners' values the gradients see the differences of opposite ones.
-double with_free_edges(double inside, double lent, const std::vector<std::pair<std::size_t, std::size_t>>& edges) {
+/// `coupling`, the unknowns are x and y of the four corners. Of the corners' values the gradients see the differences of opposite ones.
+double with_free_edges(double inside, double coupling, const std::vector<std::pair<std::size_t, std::size_t>>& edges) {
     Matrix8 K{};
     for (std::size_t i = 0; i < 8; ++i) K[i][i] = inside / 2, K[i][i ^ 2] = -inside / 2;
     for (const auto& [i, j] : edges) {
-        K[i][4 + j] += lent / 2, K[4 + j][i] += lent / 2;
-        K[4 + i][j] -= lent / 2, K[j][4 + i] -= lent / 2;
+        K[i][4 + j] += coupling / 2, K[4 + j][i] += coupling / 2;
+        K[4 + i][j] -= coupling / 2, K[j][4 + i] -= coupling / 2;
     }
-    return largest_eigenvalue(K, 2 * lent);
+    return largest_eigenvalue(K, 2 * coupling);
 }
 
 }  // namespace
 
 TEST(JointFrequency, IsTheEigenvalueOfAlongAndAcross) {
-    for (const double along : {0.2, 1.0, 3.0})
-        for (const double across : {0.0, 0.1, 0.5})
+    for (const double in_plane : {0.2, 1.0, 3.0})
+        for (const double out_of_plane : {0.0, 0.1, 0.5})
             for (const double angle : {0.0, 0.3, 1.0, 1.5707963267948966}) {
                 const double contact = 1.3, s = std::sin(angle), c = std::cos(angle);
-                const double a = along + contact * s * s, b = across + contact * c * c;
+                const double a = in_plane + contact * s * s, b = out_of_plane + contact * c * c;
                 const double exact = (a + b) / 2 + std::hypot((a - b) / 2, contact * s * c);
-                const double bound = joint_frequency_squared(along, across, contact, s * s);
-                if (along > across) {
-                    EXPECT_NEAR(bound, exact, 1e-14 * exact) << along << " " << across << " " << angle;
-                    const double back = in_plane_of_joint(bound, across, contact, s * s);
-                    EXPECT_NEAR(bound > across + contact * (1 + 1e-9) ? back : along, along, 1e-9) << across << " " << angle;
+                const double bound = joint_frequency_squared(in_plane, out_of_plane, contact, s * s);
+                if (in_plane > out_of_plane) {
+                    EXPECT_NEAR(bound, exact, 1e-14 * exact) << in_plane << " " << out_of_plane << " " << angle;
+                    const double back = in_plane_of_joint(bound, out_of_plane, contact, s * s);
+                    EXPECT_NEAR(bound > out_of_plane + contact * (1 + 1e-9) ? back : in_plane, in_plane, 1e-9)
+                        << out_of_plane << " " << angle;
                 } else {
                     EXPECT_GE(bound, exact * (1 - 1e-14));  // the angle may also be less
                 }
@@ -101,12 +102,12 @@ TEST(DampedFrequency, CountsTheHighestModeOfAStack) {
 
 TEST(FreeEdges, AddTheEigenvalueOfWhatIsLeftOnThem) {
     for (const double inside : {0.0, 0.1, 1.0, 20.0})
-        for (const double lent : {0.05, 1.0, 3.0}) {
-            const double edge = with_free_edges(inside, lent, {{0, 1}}), corner = with_free_edges(inside, lent, {{3, 0}, {0, 1}});
-            EXPECT_NEAR(inside + excess_on_edge(inside, lent), edge, 1e-9 * edge);  // the power iteration's
-            const double bound = inside + excess_at_corner(inside, lent);
-            EXPECT_GE(bound, corner * (1 - 1e-9)) << inside << " " << lent;
-            EXPECT_LE(bound, corner + 1e-3 * lent) << inside << " " << lent;  // six steps of a contraction by a sixth at the least
+        for (const double coupling : {0.05, 1.0, 3.0}) {
+            const double edge = with_free_edges(inside, coupling, {{0, 1}}), corner = with_free_edges(inside, coupling, {{3, 0}, {0, 1}});
+            EXPECT_NEAR(inside + excess_on_edge(inside, coupling), edge, 1e-9 * edge);  // the power iteration's
+            const double bound = inside + excess_at_corner(inside, coupling);
+            EXPECT_GE(bound, corner * (1 - 1e-9)) << inside << " " << coupling;
+            EXPECT_LE(bound, corner + 1e-3 * coupling) << inside << " " << coupling;  // six steps of a contraction by a sixth at the least
         }
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base_scene.hpp"
-#include "weavefront/contact/touching.hpp"
+#include "weavefront/contact/contact_distances.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/simulation.hpp"
 
@@ -165,7 +165,7 @@ double pressed(double time) { return time < 0.8 ? time / 0.8 : 1 - 0.25 * (time 
 
 /// Heights of a stack over those at the start: pressed together until its plies press, and by a part of its height more.
 double pressed_height(double time, double share) {
-    return 1 - contact::Touching::slack * std::min(time / 0.8, 1.0) - share * pressed(time);
+    return 1 - contact::ContactDistances::slack * std::min(time / 0.8, 1.0) - share * pressed(time);
 }
 
 Path press(double share) {

@@ -34,13 +34,13 @@ class Fingerprint {
 };
 
 /// A run under observation.
-class Watch {
+class GuardedRun {
   public:
-    Watch(const Case& trial, const scene::Scene& scene, solver::Simulation& simulation, Result& result)
+    GuardedRun(const Case& trial, const scene::Scene& scene, solver::Simulation& simulation, Result& result)
         : trial_(trial), scene_(scene), simulation_(simulation), result_(result) {}
 
     /// To the end. @throws solver::GuardStop
-    void to_the_end() {
+    void run() {
         const double promised = trial_.steps > 0 ? static_cast<double>(trial_.steps) : scene_.time.end / simulation_.time_step();
         for (;;) {
             simulation_.advance_forces();
@@ -74,8 +74,8 @@ class Watch {
         result_.eroded_elements = row.eroded_elements;
         // As an ordinary run does at each row, but over what the fabric was given at the start, too.
         auto guarded = row;
-        guarded.turnover = turnover_;
-        guarded.closure = error;
+        guarded.transferred_energy = turnover_;
+        guarded.closure_error = error;
         solver::require_balance(guarded, scene_.limits.energy_error, simulation_.steps());
     }
 
@@ -95,7 +95,7 @@ class Watch {
         const auto& nodes = simulation_.model().nodes;
         for (std::size_t n = 0; n < nodes.x.size(); ++n)
             see({nodes.x[n].x(), nodes.x[n].y(), nodes.x[n].z(), nodes.v[n].x(), nodes.v[n].y(), nodes.v[n].z()});
-        const auto elements = static_cast<std::int32_t>(simulation_.model().places.size());
+        const auto elements = static_cast<std::int32_t>(simulation_.model().slots.size());
         for (std::int32_t e = 0; e < elements; ++e) {
             const auto out = simulation_.model().output(e);
             see({out.strain_fill, out.strain_warp, out.stress_fill, out.stress_warp, out.braid_angle, out.crimp_height});
@@ -129,7 +129,7 @@ Result run(const Case& trial, const std::string& base, const std::string& formul
         const auto scene = scene::parse_scene(base, trial.name, overrides);
         solver::Simulation simulation(scene, comm);
         if (trial.prepare) trial.prepare(simulation);
-        Watch(trial, scene, simulation, result).to_the_end();
+        GuardedRun(trial, scene, simulation, result).run();
     } catch (const scene::InputError& error) {
         result.outcome = Outcome::refused;
         result.message = error.messages().front();

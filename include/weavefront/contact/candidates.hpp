@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "weavefront/contact/facet_runs.hpp"
+#include "weavefront/contact/facet_ranges.hpp"
 #include "weavefront/contact/surface.hpp"
-#include "weavefront/contact/whereabouts.hpp"
+#include "weavefront/contact/swept_bounds.hpp"
 
 namespace weavefront::contact {
 
@@ -17,6 +17,6 @@ using Candidates = FacetLists;
 /// Finds, for every alive owned facet, the alive facets of the next ply whose footprint is expected to come within `reach`; once facets
 /// were eroded, where some of these are on a rim, or none is there, also those of the ply behind, and so on. The result for a facet does
 /// not depend on which rank owns it.
-Candidates find_candidates(const Surface& surface, const Whereabouts& expected, double reach);
+Candidates find_candidates(const Surface& surface, const SweptBounds& swept, double reach);
 
 }  // namespace weavefront::contact

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "weavefront/contact/facet_runs.hpp"
+#include "weavefront/contact/facet_ranges.hpp"
 #include "weavefront/contact/surface.hpp"
 
 namespace weavefront::contact {
@@ -37,8 +37,8 @@ class NodalNormals {
         Vec3 normal;
         std::int32_t node;
     };
-    std::vector<Computed> computed_;    ///< those asked for at these positions
-    std::vector<std::int32_t> places_;  ///< of each node among them, if that one is its own
+    std::vector<Computed> computed_;   ///< those asked for at these positions
+    std::vector<std::int32_t> slots_;  ///< of each node among them, if that one is its own
 };
 
 }  // namespace weavefront::contact

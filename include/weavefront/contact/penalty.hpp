@@ -41,14 +41,14 @@ struct RelativeMotionLanes {
 
 /// What a point knows of those around it.
 struct Surroundings {
-    double reserve = 0;        ///< of the facet before any of its points was advanced in this step, J/m2: see PenaltyLaw
-    double sliding_share = 1;  ///< part of the overlap brought about by sliding that may press
+    double dissipated_budget = 0;  ///< of the facet before any of its points was advanced in this step, J/m2: see PenaltyLaw
+    double sliding_share = 1;      ///< part of the overlap brought about by sliding that may press
 };
 
 /// What a contact point, or the points of a facet, do over a step.
-struct Pressed {
-    double pressure = 0;  ///< Pa
-    double gained = 0;    ///< by the reserve of the facet, J/m2: see PenaltyLaw
+struct ContactResponse {
+    double pressure = 0;    ///< Pa
+    double dissipated = 0;  ///< less what recovery has cost: goes to the facet's dissipated budget, J/m2, see PenaltyLaw
     SlidingEnergy sliding;
 };
 
@@ -68,10 +68,10 @@ struct Pressed {
 /// Sliding does no work along the force, so what it stores in the points ahead must come from those behind. The points report both;
 /// whoever adds them up says which share of the overlap by sliding may press, so that contact never gives more than it has taken.
 ///
-/// An ignored overlap is healed: it shrinks slowly, and the energy that the point can then give back is taken from the reserve of the
-/// facet: what contact has dissipated there before this step and not yet spent. In each step a point may spend the part of the reserve that
-/// its area is of the facet's; what it gets does not depend on the order of the points. Elastic contact, u = 1, gives back all that it
-/// takes and has nothing to heal with.
+/// An ignored overlap recovers: it shrinks slowly, and the energy that the point can then give back is taken from the dissipated budget of
+/// the facet: what contact has dissipated there before this step and not yet spent. In each step a point may spend the part of that budget
+/// that its area is of the facet's; what it gets does not depend on the order of the points. Elastic contact, u = 1, gives back all that it
+/// takes and has nothing to recover with.
 class PenaltyLaw {
   public:
     /// @param law     stiffness k (Pa/m), unloading ratio u >= 1, fraction of critical damping
@@ -80,39 +80,39 @@ class PenaltyLaw {
         : stiffness_(law.stiffness),
           unloading_(law.unloading),
           damping_(2 * law.damping * std::sqrt(law.stiffness * density)),
-          healing_rate_(law.unloading > 1 ? std::sqrt(law.unloading * law.stiffness / density) / (2 * std::numbers::pi * healing_periods)
-                                          : 0) {}
+          recovery_rate_(law.unloading > 1 ? std::sqrt(law.unloading * law.stiffness / density) / (2 * std::numbers::pi * recovery_periods)
+                                           : 0) {}
 
     /// Advances a point.
     /// @param geometric overlap seen now, m; negative when apart
     /// @param motion    over the last step
     /// @param dt        the last step, s
     /// @param share     of the facet's area that the point stands for
-    Pressed advance(Penetration& point, double geometric, const RelativeMotion& motion, double dt, double share,
-                    const Surroundings& around) const {
+    ContactResponse advance(Penetration& point, double geometric, const RelativeMotion& motion, double dt, double share,
+                            const Surroundings& around) const {
         const auto step = step_of(point, geometric, motion, dt, share, around);
         point = step.point;
-        return step.pressed;
+        return step.response;
     }
 
     /// The same for the points of a batch; those that have not met anything stay as they are and have no pressure.
     /// @param sum of what all points do, but for their pressures: added to
     [[nodiscard]] Lanes advance(PenetrationLanes& points, const LaneMask& met, const Lanes& geometric, const RelativeMotionLanes& motion,
-                                double dt, const Lanes& share, const Surroundings& around, Pressed& sum) const {
+                                double dt, const Lanes& share, const Surroundings& around, ContactResponse& sum) const {
         PenetrationLanes next;
-        Lanes pressure, gained, released, taken, wanted;
+        Lanes pressure, dissipated, released, taken, wanted;
         for (std::size_t i = 0; i < batch_width; ++i) {
             const RelativeMotion of_point{motion.closing[i], motion.closing[i], motion.most[i]};
-            const auto [point, pressed] =
+            const auto [point, response] =
                 step_of({points.overlap[i], points.ignored[i], points.opened[i]}, geometric[i], of_point, dt, share[i], around);
             next.overlap[i] = point.overlap, next.ignored[i] = point.ignored, next.opened[i] = point.opened;
-            pressure[i] = pressed.pressure, gained[i] = pressed.gained;
-            released[i] = pressed.sliding.released, taken[i] = pressed.sliding.taken, wanted[i] = pressed.sliding.wanted;
+            pressure[i] = response.pressure, dissipated[i] = response.dissipated;
+            released[i] = response.sliding.released, taken[i] = response.sliding.taken, wanted[i] = response.sliding.wanted;
         }
         for (std::size_t i = 0; i < batch_width; ++i) {
             if (met[i]) {
                 points.overlap[i] = next.overlap[i], points.ignored[i] = next.ignored[i], points.opened[i] = next.opened[i];
-                sum.gained += gained[i];
+                sum.dissipated += dissipated[i];
                 sum.sliding.add({released[i], taken[i], wanted[i]});
             } else {
                 pressure[i] = 0;
@@ -122,13 +122,13 @@ class PenaltyLaw {
     }
 
   private:
-    // An overlap heals within this many periods of two plies on the unloading line of the contact: so slowly that they are moved apart by
-    // pressures far below those that made it, and within some 20 us for stiffnesses of fabric, a fraction of an impact.
-    static constexpr double healing_periods = 100;
+    // An overlap recovers within this many periods of two plies on the unloading line of the contact: so slowly that they are moved apart
+    // by pressures far below those that made it, and within some 20 us for stiffnesses of fabric, a fraction of an impact.
+    static constexpr double recovery_periods = 100;
 
     struct Step {
         Penetration point;
-        Pressed pressed;
+        ContactResponse response;
     };
     [[nodiscard, gnu::always_inline]] Step step_of(const Penetration& before, double geometric, const RelativeMotion& motion, double dt,
                                                    double share, const Surroundings& around) const {
@@ -139,12 +139,12 @@ class PenaltyLaw {
         const double work = (elastic_pressure(before) + elastic_pressure(moved)) / 2 * motion.closing * dt;
         const double dissipated = work - (stored - recoverable(before));
 
-        // A metre of creep costs at most the pressure that first loading has at the largest penetration and, as the pressure is higher
+        // A metre of recovery costs at most the pressure that first loading has at the largest penetration and, as the pressure is higher
         // from now on, half of what it adds to it over what the sides open.
-        const double creep = std::min(healing_rate_ * dt, 1.0) * moved.ignored, opening = std::max(-motion.closing * dt, 0.0);
-        const double price = stiffness_ * (moved.present() + std::max(moved.opened, creep)) + unloading_ * stiffness_ * opening / 2;
-        const double affordable = std::max(around.reserve, 0.0);
-        const auto end = crept(moved, creep * price > affordable ? affordable / price : creep);
+        const double recovery = std::min(recovery_rate_ * dt, 1.0) * moved.ignored, opening = std::max(-motion.closing * dt, 0.0);
+        const double price = stiffness_ * (moved.present() + std::max(moved.opened, recovery)) + unloading_ * stiffness_ * opening / 2;
+        const double affordable = std::max(around.dissipated_budget, 0.0);
+        const auto end = recovered(moved, recovery * price > affordable ? affordable / price : recovery);
         const double added = elastic_pressure(end) - elastic_pressure(moved);
         const double cost = recoverable(end) - after + added * opening / 2;
 
@@ -168,11 +168,11 @@ class PenaltyLaw {
                                                                  double dt) {
         const double overlap = std::max(geometric, 0.0), jump = std::max(overlap - before.overlap - motion.most * dt, 0.0);
         const double present = overlap - std::min(before.ignored + jump, overlap), change = motion.normal * dt;
-        const bool pressed = before.present() > 0;
-        const double opened = std::max((pressed ? before.opened : 0.0) - change, 0.0);
+        const bool was_pressed = before.present() > 0;
+        const double opened = std::max((was_pressed ? before.opened : 0.0) - change, 0.0);
         // A point that comes in approaches by no more than it is in.
         const double approached = std::max(before.present() + change, 0.0),
-                     without_sliding = pressed ? approached : std::min(approached, present);
+                     without_sliding = was_pressed ? approached : std::min(approached, present);
         return {{overlap, overlap - without_sliding, opened}, present};
     }
 
@@ -183,8 +183,8 @@ class PenaltyLaw {
         return {point.overlap, point.overlap - present + refused, point.opened};
     }
 
-    [[nodiscard, gnu::always_inline]] static Penetration crept(const Penetration& point, double creep) {
-        return {point.overlap, point.ignored - creep, std::max(point.opened - creep, 0.0)};
+    [[nodiscard, gnu::always_inline]] static Penetration recovered(const Penetration& point, double recovery) {
+        return {point.overlap, point.ignored - recovery, std::max(point.opened - recovery, 0.0)};
     }
 
     [[nodiscard, gnu::always_inline]] double elastic_pressure(const Penetration& point) const {
@@ -198,7 +198,7 @@ class PenaltyLaw {
     }
 
     double stiffness_, unloading_, damping_;
-    double healing_rate_;  ///< 1/s
+    double recovery_rate_;  ///< 1/s
 };
 
 }  // namespace weavefront::contact

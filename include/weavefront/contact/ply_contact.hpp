@@ -7,18 +7,18 @@
 #include <span>
 #include <vector>
 
-#include "weavefront/contact/approach.hpp"
 #include "weavefront/contact/candidates.hpp"
+#include "weavefront/contact/clearance_query.hpp"
+#include "weavefront/contact/contact_distances.hpp"
 #include "weavefront/contact/contact_forces.hpp"
-#include "weavefront/contact/facet_lines.hpp"
-#include "weavefront/contact/near_facets.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
-#include "weavefront/contact/outlook.hpp"
+#include "weavefront/contact/normal_rays.hpp"
 #include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/point_memory.hpp"
 #include "weavefront/contact/quadrature.hpp"
+#include "weavefront/contact/ray_targets.hpp"
+#include "weavefront/contact/relative_motion_bound.hpp"
 #include "weavefront/contact/surface.hpp"
-#include "weavefront/contact/touching.hpp"
 
 namespace weavefront::contact {
 
@@ -33,7 +33,7 @@ class PlyContact {
 
     /// Chooses the facets that may meet while no node is more than half of `skin` away from where it is expected in x or y; to be called
     /// again then, or when facets were eroded or ghosts changed. @param x present positions, m
-    void update_candidates(const Surface& surface, const Whereabouts& expected, std::span<const Vec3> x, double skin);
+    void update_candidates(const Surface& surface, const SweptBounds& swept, std::span<const Vec3> x, double skin);
 
     /// Appends the forces at the present positions.
     /// @param normals of the plies, at these positions
@@ -55,19 +55,19 @@ class PlyContact {
 
   private:
     /// What a facet waits for while it touches nothing.
-    enum class Waits : std::uint8_t {
-        not_at_all,  ///< it may touch something
-        for_group,   ///< for the approach of all candidates of its group
-        for_own,     ///< for that of its own near candidates, which is much less and costs more to know
+    enum class Culled : std::uint8_t {
+        no,             ///< it may touch something
+        by_group,       ///< for the approach of all candidates of its group
+        by_candidates,  ///< for that of its own near candidates, which is much less and costs more to know
     };
     /// What a facet knows of its candidates. There is one for every element of a rank.
-    struct [[gnu::packed]] Watch {
+    struct [[gnu::packed]] CullingState {
         float until = 0;          ///< approach of the group up to which it holds, m; where it waits for its own, what is left to these
         std::int32_t first = -1;  ///< the nearest candidate, or -1: not known; where the facet waits, the one that was
         Shortlist near;           ///< of the candidates
-        Waits waits = Waits::not_at_all;
+        Culled culled = Culled::no;
     };
-    static_assert(sizeof(Watch) == 17);
+    static_assert(sizeof(CullingState) == 17);
     /// Where and when.
     struct Now {
         const Surface& surface;
@@ -81,18 +81,18 @@ class PlyContact {
         std::array<Vec3, 4> velocities;
         FacetPoints points;
         Surroundings around;
-        Pressed sum{};
+        ContactResponse sum{};
         bool touching = false;
     };
-    [[nodiscard]] std::span<Watch> watches(std::int32_t group) {
-        return std::span(watches_).subspan(approach_.before(group), approach_.facets(group).size());
+    [[nodiscard]] std::span<CullingState> culling_states(std::int32_t group) {
+        return std::span(culling_).subspan(relative_motion_.before(group), relative_motion_.facets(group).size());
     }
     void evaluate_group(std::int32_t group, const Now& now, ContactForces& forces);
     /// By how much a facet and its near candidates may have approached over the last step, m.
     [[nodiscard]] double own_approach(std::int32_t facet, const Shortlist& near, const Now& now) const;
     /// Whether what a facet knows no longer holds.
-    [[nodiscard]] bool is_over(Watch& watch, std::int32_t facet, double so_far, const Now& now) const;
-    void look_around(std::int32_t facet, Watch& watch, std::int32_t group, const Now& now);
+    [[nodiscard]] bool expired(CullingState& state, std::int32_t facet, double accumulated, const Now& now) const;
+    void recheck(std::int32_t facet, CullingState& state, std::int32_t group, const Now& now);
     void evaluate_facet(std::int32_t facet, std::int32_t first, const Now& now, ContactForces& forces);
     void press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near, LaneMask& open,
                const Now& now, ContactForces& forces);
@@ -100,21 +100,21 @@ class PlyContact {
         return laws_[weights_[static_cast<std::size_t>(ply)] * different_weights_ + weights_[static_cast<std::size_t>(other)]];
     }
 
-    Touching touching_;
+    ContactDistances distances_;
     std::vector<std::size_t> weights_;  ///< by ply: index among the different areal densities
     std::size_t different_weights_;
     std::vector<PenaltyLaw> laws_;  ///< by the areal densities of the two plies
     Quadrature quadrature_;
     Candidates candidates_;
-    Approach approach_;
-    NearFacets near_;                    ///< of the facet at hand
-    std::vector<std::int32_t> pair_of_;  ///< of each of `near_`: its place among the forces, or -1
-    std::vector<Watch> watches_;         ///< of the owned facets, group by group
-    std::vector<double> due_;            ///< of each group: when its first facet has to be looked at, as bounded by Approach, m
+    RelativeMotionBound relative_motion_;
+    RayTargets targets_;                 ///< of the facet at hand
+    std::vector<std::int32_t> pair_of_;  ///< of each of `targets_`: its place among the forces, or -1
+    std::vector<CullingState> culling_;  ///< of the owned facets, group by group
+    std::vector<double> due_;            ///< of each group: when its first facet has to be looked at, as bounded by RelativeMotionBound, m
     // of the owned facets
     std::vector<std::uint8_t> rules_;
     PointMemory memory_;
-    std::vector<double> reserves_;  ///< J/m2: see PenaltyLaw
+    std::vector<double> dissipated_budgets_;  ///< J/m2: see PenaltyLaw
 };
 
 }  // namespace weavefront::contact

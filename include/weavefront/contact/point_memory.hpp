@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-#include "weavefront/contact/facet_lines.hpp"
 #include "weavefront/contact/facet_memory.hpp"
+#include "weavefront/contact/normal_rays.hpp"
 #include "weavefront/contact/penalty.hpp"
 
 namespace weavefront::contact {

@@ -11,7 +11,7 @@
 #include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
-#include "weavefront/contact/whereabouts.hpp"
+#include "weavefront/contact/swept_bounds.hpp"
 
 namespace weavefront::contact {
 
@@ -32,7 +32,7 @@ class ProjectileContact {
     /// Chooses the owned facets that may come under the projectile while no node, nor the projectile, is more than half of `skin` away from
     /// where it is expected in x or y.
     /// @param way footprint of the way of the projectile's nose
-    void update_candidates(const Surface& surface, const Whereabouts& expected, const Footprint& way, double skin);
+    void update_candidates(const Surface& surface, const SweptBounds& swept, const Footprint& way, double skin);
 
     /// Appends the forces at the present positions.
     /// @param normals of the plies, at these positions

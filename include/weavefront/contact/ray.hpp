@@ -27,6 +27,6 @@ struct RayHits {
 /// Meets the bilinear facet, whose normal must not point against the direction of a line. A point on the edge between two facets is found
 /// by at least one of them.
 /// @param corners of the facet, m
-RayHits meet(const Rays& rays, const std::array<Vec3, 4>& corners);
+RayHits intersect(const Rays& rays, const std::array<Vec3, 4>& corners);
 
 }  // namespace weavefront::contact

@@ -34,8 +34,8 @@ struct RigidPair {
 /// What a facet remembers of a rigid body. `Point` has a member `penetration`.
 template <class Point>
 struct RigidMemory {
-    std::vector<Point> points;  ///< none away from the body
-    double reserve = 0;         ///< see PenaltyLaw, J/m2
+    std::vector<Point> points;     ///< none away from the body
+    double dissipated_budget = 0;  ///< see PenaltyLaw, J/m2
 };
 
 /// Forgets the points of a facet, which is away from the body.
@@ -43,7 +43,7 @@ template <class Point>
 void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet) {
     auto* memory = memories.find(facet);
     if (!memory) return;
-    if (memory->reserve == 0)
+    if (memory->dissipated_budget == 0)
         memories.forget(facet);
     else
         memory->points = std::vector<Point>();
@@ -52,9 +52,9 @@ void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet
 /// Rules of the initial shapes of a surface's owned facets. @param x initial positions, m
 inline mesh::Repeated<std::int32_t> rules_for(Quadrature& quadrature, const Surface& surface, std::span<const Vec3> x) {
     mesh::Repeated<std::int32_t> rules;
-    rules.period.reserve(surface.areas.period.size());
-    for (std::size_t f = 0; f < surface.areas.period.size(); ++f)
-        rules.period.push_back(quadrature.rule_for(corners_of(surface.facets[f].nodes, x)));
+    rules.one_ply.reserve(surface.areas.one_ply.size());
+    for (std::size_t f = 0; f < surface.areas.one_ply.size(); ++f)
+        rules.one_ply.push_back(quadrature.rule_for(corners_of(surface.facets[f].nodes, x)));
     return rules;
 }
 
@@ -74,7 +74,7 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
     PairForce sum(pair.facet.nodes, pair.body);
     SlidingEnergy sliding;
     std::optional<PushDirections> directions;
-    const Surroundings around{memory.reserve, sliding_share};
+    const Surroundings around{memory.dissipated_budget, sliding_share};
     for (std::size_t b = 0; b < pair.rule.size(); ++b) {
         const auto& batch = pair.rule[b];
         const auto position = interpolate(corners, batch.N);
@@ -91,20 +91,20 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
             const double closing = relative.dot(direction);
             // The depth is a distance: it changes by no more than the sides move.
             const RelativeMotion motion{closing, closing * direction.dot(at.normal), relative.norm()};
-            const auto pressed = pair.law.advance(point.penetration, at.depth, motion, dt, batch.share[i], around);
-            memory.reserve += pressed.gained;
-            sliding.add(pressed.sliding);
-            sum.add(pressed.pressure * pair.area * batch.share[i] * direction, batch.N, i);
+            const auto response = pair.law.advance(point.penetration, at.depth, motion, dt, batch.share[i], around);
+            memory.dissipated_budget += response.dissipated;
+            sliding.add(response.sliding);
+            sum.add(response.pressure * pair.area * batch.share[i] * direction, batch.N, i);
         }
     }
     if (sum.total != Vec3::Zero()) forces.pairs.push_back(sum);
     if (sliding.is_any()) forces.sliding.push_back(sliding.times(pair.area));
 }
 
-/// Appends the memory of a facet for another rank: its reserve (J/m2) and the penetrations of its points.
+/// Appends the memory of a facet for another rank: its dissipated budget (J/m2) and the penetrations of its points.
 template <class Point>
 void save_points(const RigidMemory<Point>& memory, std::vector<double>& record) {
-    record.insert(record.end(), {memory.reserve, static_cast<double>(memory.points.size())});
+    record.insert(record.end(), {memory.dissipated_budget, static_cast<double>(memory.points.size())});
     for (const auto& [overlap, ignored, opened] : memory.points | std::views::transform(&Point::penetration))
         record.insert(record.end(), {overlap, ignored, opened});
 }
@@ -112,14 +112,14 @@ void save_points(const RigidMemory<Point>& memory, std::vector<double>& record) 
 /// Takes up what another rank remembered of a facet, if anything.
 template <class Point>
 void keep(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet, RigidMemory<Point> memory) {
-    if (memory.reserve != 0 || !memory.points.empty()) memories.take(facet) = std::move(memory);
+    if (memory.dissipated_budget != 0 || !memory.points.empty()) memories.take(facet) = std::move(memory);
 }
 
 /// Reads what save_points wrote. @return what comes after it
 template <class Point>
 std::span<const double> restore_points(RigidMemory<Point>& memory, std::span<const double> record) {
     auto next = record.begin();
-    memory.reserve = *next++;
+    memory.dissipated_budget = *next++;
     memory.points.resize(static_cast<std::size_t>(*next++));
     for (auto& point : memory.points) {
         point.penetration.overlap = *next++;

@@ -39,7 +39,7 @@ struct Surface {
     std::vector<std::uint8_t> alive;  ///< of each facet
     /// Of each facet: it has lost a neighbour, one that shared a node with it, or is on an edge of its ply that may move. None as long as
     /// all facets are alive: a ply is then met only by those next to it.
-    std::vector<std::uint8_t> on_rim;
+    std::vector<std::uint8_t> on_free_edge;
     std::int32_t owned = 0;        ///< number of owned facets
     mesh::Repeated<double> areas;  ///< initial areas of the owned facets, m2: these repeat as the initial shapes do
     std::vector<PlyProperties> plies;

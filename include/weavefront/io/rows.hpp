@@ -27,7 +27,7 @@ struct HistoryRow {
     double damping = 0;
     double external = 0;
     double eroded = 0;              ///< hourglass energy let go with broken yarns and eroded elements, in no other column
-    double energy_error = 0;        ///< closure defect over the initial total energy
+    double energy_error = 0;        ///< closure error over the initial total energy
     std::int64_t broken_yarns = 0;  ///< element-directions
     std::int64_t eroded_elements = 0;
     double max_displacement = 0;             ///< largest displacement along z of a node of joined fabric, m

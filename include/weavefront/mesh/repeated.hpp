@@ -10,9 +10,9 @@ namespace weavefront::mesh {
 /// Values of the elements (or nodes) of a part where every ply has the same: plies stand over one grid of columns. One ply's are stored.
 template <class T>
 struct Repeated {
-    std::vector<T> period;
+    std::vector<T> one_ply;
 
-    [[nodiscard]] const T& operator[](std::size_t index) const { return period[index % period.size()]; }
+    [[nodiscard]] const T& operator[](std::size_t index) const { return one_ply[index % one_ply.size()]; }
 };
 
 }  // namespace weavefront::mesh

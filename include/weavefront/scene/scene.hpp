@@ -156,7 +156,7 @@ struct Scene {
         Stop stop = Stop::end;
     } time;
     struct Limits {
-        double energy_error = 0.05;  ///< the run stops when the closure defect passes this share of the energy handed over
+        double energy_error = 0.05;  ///< the run stops when the closure error passes this share of the energy handed over
     } limits;
     Output output;
     std::string resolved;  ///< the scene as YAML with every default written out, SI

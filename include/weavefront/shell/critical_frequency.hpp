@@ -15,9 +15,9 @@ namespace weavefront::shell {
 /// the elements bound the whole model.
 template <class Real>
 struct Frequencies {
-    Real along = 0.0;      ///< of motion in the element's plane
-    Real across = 0.0;     ///< of motion out of it
-    Real hourglass = 0.0;  ///< of the hourglass modes in the plane, which `along` counts
+    Real in_plane = 0.0;      ///< of motion in the element's plane
+    Real out_of_plane = 0.0;  ///< of motion out of it
+    Real hourglass = 0.0;     ///< of the hourglass modes in the plane, which `in_plane` counts
 };
 
 /// The bound on uniform deformation and hourglass modes together: these are orthogonal in parallelograms.

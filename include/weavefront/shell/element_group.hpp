@@ -16,7 +16,7 @@
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/shell/aligned_vector.hpp"
 #include "weavefront/shell/hourglass.hpp"
-#include "weavefront/shell/lending.hpp"
+#include "weavefront/shell/null_lagrangian.hpp"
 #include "weavefront/shell/pack_blocks.hpp"
 #include "weavefront/shell/quad.hpp"
 #include "weavefront/shell/repeated_quads.hpp"
@@ -105,30 +105,31 @@ class ElementGroup {
     /// held.
     [[nodiscard]] virtual Frequencies<double> frequencies() const = 0;
 
-    /// Whether `sharpen` may find less by free crossovers and a coupling of fill and warp: yarns are crimped, in the consistent
+    /// Whether `tighten` may find less by free crossovers and a coupling of fill and warp: yarns are crimped, in the consistent
     /// formulation.
     [[nodiscard]] virtual bool is_crimped() const = 0;
-    /// Whether it may by lent mass: yarns are packed.
+    /// Whether it may by redistributed mass: yarns are packed.
     [[nodiscard]] virtual bool is_packed() const = 0;
 
-    /// Raises sharper bounds on `along` for each of `lendings` by those of the alive elements, with the crossovers that are free let go.
+    /// Raises tighter bounds on `along` for each of `null_lagrangians` by those of the alive elements, with the crossovers that are free
+    /// let go.
     /// @param x positions of the local nodes, m
-    void sharpen(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const;
+    void tighten(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const;
 
-    /// omega^2 in the plane of the alive elements if their yarns were slack and at right angles, 1/s2; 0 where `sharpen` lets no crossover
+    /// omega^2 in the plane of the alive elements if their yarns were slack and at right angles, 1/s2; 0 where `tighten` lets no crossover
     /// go. It follows from the stretches and the crossover alone, and rises when slack yarns straighten.
-    [[nodiscard]] virtual double slack_frequency(const Lending& lending, double smallest_area) const = 0;
+    [[nodiscard]] virtual double slack_frequency(const NullLagrangian& term, double smallest_area) const = 0;
 
     /// What makes yarns stiffer than the bounds allow for, to be looked out for from now on. By default nothing.
-    struct Watch {
+    struct StiffeningTrigger {
         double slack = std::numeric_limits<double>::infinity();  ///< the first slack_frequency above it, 1/s2
-        Lending lending{};
+        NullLagrangian term{};
         double smallest_area = 0;  ///< m2
         bool packing = false;      ///< the first packed yarns, where none of any rank are
     };
-    void watch(const Watch& watch) { watch_ = watch; }
+    void set_trigger(const StiffeningTrigger& trigger) { trigger_ = trigger; }
     /// Whether it has come, in the last step of all elements.
-    [[nodiscard]] bool has_stiffened() const { return has_straightened_ || (watch_.packing && is_packed()); }
+    [[nodiscard]] bool has_stiffened() const { return has_straightened_ || (trigger_.packing && is_packed()); }
 
     /// Least n |n| over the alive elements, n the cosine of the angle between the element's normal and `axis`, of unit length; at most
     /// `known`. It stops looking where it finds less than `enough`. @param x positions of the local nodes, m
@@ -152,13 +153,13 @@ class ElementGroup {
     Events::Erosion erode(std::int32_t index);
 
   protected:
-    /// What `sharpen` does, of uniform deformation alone: without hourglass modes.
-    virtual void sharpen_uniform(const SharpeningStart& start, std::span<const Eigen::Vector3d> x, SharperBounds& bounds) const = 0;
+    /// What `tighten` does, of uniform deformation alone: without hourglass modes.
+    virtual void tighten_uniform(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const = 0;
 
     ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, const StateSizes& sizes);
 
     /// Reference geometry of an element, eroded or not.
-    [[nodiscard]] Quad<double> whole_quad(std::int32_t index) const { return quads_.of(index % quads_.period()); }
+    [[nodiscard]] Quad<double> whole_quad(std::int32_t index) const { return quads_.of(index % quads_.repeat_length()); }
     [[nodiscard]] double area(std::int32_t index) const { return alive(index) ? whole_quad(index).area : 0.0; }
     [[nodiscard]] double hourglass_energy(std::int32_t index) const { return hourglass_energy_[static_cast<std::size_t>(index)]; }
     std::size_t slot(std::int32_t index, int field) const {
@@ -189,7 +190,7 @@ class ElementGroup {
     AlignedVector<double> state_, hourglass_energy_;
     PackBlocks packing_;  ///< zeros in packs whose yarns do not pack
     PackBlocks damage_;   ///< ones in packs that are whole
-    Watch watch_;
+    StiffeningTrigger trigger_;
     bool has_straightened_ = false;
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The quadratic form of an element's plane: sharper than `critical_frequencies`, and dearer.
+/// The quadratic form of an element's plane: tighter than `critical_frequencies`, and dearer.
 
 #include <array>
 #include <cmath>

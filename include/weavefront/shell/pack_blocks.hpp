@@ -16,35 +16,35 @@ class PackBlocks {
   public:
     /// @param fields of a pack; without any nothing is stored and nothing may be asked for
     PackBlocks(std::int32_t packs, int fields, double idle)
-        : block_(static_cast<std::size_t>(fields) * fabric::pack_width), idle_(idle), places_(fields > 0 ? packs : 0, -1) {}
+        : block_(static_cast<std::size_t>(fields) * fabric::pack_width), idle_(idle), slots_(fields > 0 ? packs : 0, -1) {}
 
     /// Field after field of a pack, 64-byte aligned; null: all idle.
     [[nodiscard]] const double* find(std::int32_t pack) const {
-        const auto place = places_[static_cast<std::size_t>(pack)];
-        return place < 0 ? nullptr : blocks_.data() + static_cast<std::size_t>(place) * block_;
+        const auto slot = slots_[static_cast<std::size_t>(pack)];
+        return slot < 0 ? nullptr : blocks_.data() + static_cast<std::size_t>(slot) * block_;
     }
 
     /// The same, to be written to: a pack that has none gets one.
     double* take(std::int32_t pack) {
-        auto& place = places_[static_cast<std::size_t>(pack)];
-        if (place < 0) {
+        auto& slot = slots_[static_cast<std::size_t>(pack)];
+        if (slot < 0) {
             if (free_.empty()) {
                 free_.push_back(static_cast<std::int32_t>(blocks_.size() / block_));
                 blocks_.resize(blocks_.size() + block_);
             }
-            place = free_.back();
+            slot = free_.back();
             free_.pop_back();
-            std::fill_n(blocks_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(place) * block_), block_, idle_);
+            std::fill_n(blocks_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(slot) * block_), block_, idle_);
         }
-        return blocks_.data() + static_cast<std::size_t>(place) * block_;
+        return blocks_.data() + static_cast<std::size_t>(slot) * block_;
     }
 
     /// Makes a pack idle.
     void give_back(std::int32_t pack) {
-        auto& place = places_[static_cast<std::size_t>(pack)];
-        if (place < 0) return;
-        free_.push_back(place);
-        place = -1;
+        auto& slot = slots_[static_cast<std::size_t>(pack)];
+        if (slot < 0) return;
+        free_.push_back(slot);
+        slot = -1;
     }
 
     /// Whether any pack has a block.
@@ -58,13 +58,13 @@ class PackBlocks {
     void set(std::int32_t pack, int field, int lane, double value) {
         if (find(pack) || value != idle_) take(pack)[field * fabric::pack_width + lane] = value;
     }
-    [[nodiscard]] std::size_t bytes() const { return blocks_.size() * sizeof(double) + places_.size() * sizeof(std::int32_t); }
+    [[nodiscard]] std::size_t bytes() const { return blocks_.size() * sizeof(double) + slots_.size() * sizeof(std::int32_t); }
 
   private:
     std::size_t block_;  ///< doubles
     double idle_;
-    std::vector<std::int32_t> places_;  ///< by pack, or -1
-    std::vector<std::int32_t> free_;    ///< places
+    std::vector<std::int32_t> slots_;  ///< by pack, or -1
+    std::vector<std::int32_t> free_;   ///< slots
     AlignedVector<double> blocks_;
 };
 

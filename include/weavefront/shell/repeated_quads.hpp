@@ -11,20 +11,20 @@
 
 namespace weavefront::shell {
 
-/// The quads of a group's elements in their order. Plies over one grid of columns repeat theirs: one period is stored.
+/// The quads of a group's elements in their order. Plies over one grid of columns repeat theirs: one repeat is stored.
 class RepeatedQuads {
   public:
     explicit RepeatedQuads(std::span<const Quad<double>> quads);
 
     /// Number of quads after which they repeat, at least 1.
-    [[nodiscard]] std::int32_t period() const { return period_; }
+    [[nodiscard]] std::int32_t repeat_length() const { return repeat_length_; }
 
-    /// That of element `at`, or of any a whole number of periods away. @param at 0..period-1
+    /// That of element `at`, or of any a whole number of periods away. @param at 0..repeat-1
     [[nodiscard]] Quad<double> of(std::int32_t at) const {
         return with_fields<double>([&](std::size_t field) { return *from(at, field); });
     }
 
-    /// Those of eight elements from `at` on. @param at 0..period-1
+    /// Those of eight elements from `at` on. @param at 0..repeat-1
     [[nodiscard]] WEAVEFRONT_INLINE Quad<fabric::Pack> pack_from(std::int32_t at) const {
         return with_fields<fabric::Pack>([&](std::size_t field)
                                              __attribute__((always_inline)) { return fabric::Pack::load_anywhere(from(at, field)); });
@@ -41,8 +41,8 @@ class RepeatedQuads {
         return {field(0), field(1), field(2), field(3), field(4), field(5), field(6), field(7)};
     }
 
-    std::int32_t period_;
-    std::size_t length_;          ///< of a field: a period and the start of the next, for packs that reach into it
+    std::int32_t repeat_length_;
+    std::size_t length_;          ///< of a field: a repeat and the start of the next, for packs that reach into it
     std::vector<double> fields_;  ///< [field][element]
 };
 

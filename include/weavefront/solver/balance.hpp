@@ -23,11 +23,11 @@ struct Balance {
     double contact = 0;    ///< stored and damped in contact
     double friction = 0;   ///< of the yarns
     double damping = 0;
-    double external = 0;      ///< done by supports: none of them moves
-    double eroded = 0;        ///< hourglass energy let go with broken yarns and eroded elements
-    double energy_error = 0;  ///< closure defect over the initial energy
-    double turnover = 0;      ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
-    double closure = 0;       ///< closure defect over the turnover: what a heavy projectile keeps cannot hide it
+    double external = 0;            ///< done by supports: none of them moves
+    double eroded = 0;              ///< hourglass energy let go with broken yarns and eroded elements
+    double energy_error = 0;        ///< closure error over the initial energy
+    double transferred_energy = 0;  ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
+    double closure_error = 0;       ///< closure error over the transferred energy: what a heavy projectile keeps cannot hide it
     std::int64_t broken_yarns = 0, eroded_elements = 0;
     double max_displacement = 0;      ///< of a node of joined fabric along z, m: see JoinedFabric
     double back_face_deflection = 0;  ///< of joined fabric of the last ply along z, the largest, m
@@ -44,7 +44,7 @@ struct Balance {
 };
 
 /// Refuses a balance that does not close, and energy from nowhere: what yarns, friction or contact have given beyond what they had taken.
-/// @param limit of the closure defect and of that energy, over the turnover
+/// @param limit of the closure error and of that energy, over the transferred energy
 /// @throws GuardStop
 void require_balance(const Balance& balance, double limit, std::int64_t step);
 

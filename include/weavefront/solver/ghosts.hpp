@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "weavefront/contact/surface.hpp"
-#include "weavefront/contact/whereabouts.hpp"
+#include "weavefront/contact/swept_bounds.hpp"
 #include "weavefront/parallel/exchange.hpp"
 #include "weavefront/partition/halo_plan.hpp"
 #include "weavefront/solver/nodes.hpp"
@@ -18,17 +18,17 @@ namespace weavefront::solver {
 /// ghost. All of them then move it alike, so that positions need not travel.
 using ForceExchange = parallel::Exchange<FixedVector>;
 
-/// Over the nodes that ranks share, without ghosts.
+/// Over the nodes that ranks list, without ghosts.
 ForceExchange halo_exchange(const partition::HaloPlan& plan);
 
 /// A facet of this rank that another one knows.
 struct GhostFacet {
     std::int32_t facet;
-    bool on_rim;
+    bool on_free_edge;
 };
 
 /// The ghost layer: the facets of other ranks that are not eroded and whose footprint comes within reach of that of one of this rank's, in
-/// any ply, and some around them: what lies over one cell of the mesh is looked at as one. Facets that share a node with this rank's are
+/// any ply, and some around them: what lies over one cell of the mesh is looked at as one. Facets that list a node with this rank's are
 /// among them, so its nodal normals are complete.
 class Ghosts {
   public:
@@ -42,7 +42,7 @@ class Ghosts {
     /// @param exchange replaced by that over shared nodes and ghosts
     /// @return whether they were replaced, the same on all ranks; always the first time
     /// @note Collective
-    bool renew(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::Whereabouts& expected, double reach,
+    bool renew(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::SweptBounds& swept, double reach,
                double spare, contact::Surface& surface, Nodes& nodes, ForceExchange& exchange);
 
   private:

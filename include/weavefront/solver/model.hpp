@@ -20,7 +20,7 @@
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/shell/element_group.hpp"
 #include "weavefront/solver/assembly.hpp"
-#include "weavefront/solver/element_places.hpp"
+#include "weavefront/solver/element_slots.hpp"
 #include "weavefront/solver/ghosts.hpp"
 #include "weavefront/solver/nodes.hpp"
 
@@ -36,7 +36,7 @@ struct GlobalIds {
 struct Model {
     Nodes nodes;
     std::vector<std::unique_ptr<shell::ElementGroup>> groups;  ///< one a fabric
-    ElementPlaces places;                                      ///< of the owned elements
+    ElementSlots slots;                                        ///< of the owned elements
     contact::Surface surface;
     contact::NodalNormals normals;  ///< of the plies, for contact
     partition::HaloPlan halo;

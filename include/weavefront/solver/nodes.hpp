@@ -20,12 +20,12 @@ struct InitialPositions {
     mesh::Repeated<std::array<double, 2>> in_plane;  ///< m
     std::vector<double> heights;                     ///< of the plies, m
 
-    [[nodiscard]] std::size_t size() const { return in_plane.period.size() * heights.size(); }
+    [[nodiscard]] std::size_t size() const { return in_plane.one_ply.size() * heights.size(); }
     [[nodiscard]] Vec3 operator[](std::size_t node) const {
         const auto& [x, y] = in_plane[node];
         return {x, y, height(node)};
     }
-    [[nodiscard]] double height(std::size_t node) const { return heights[node / in_plane.period.size()]; }
+    [[nodiscard]] double height(std::size_t node) const { return heights[node / in_plane.one_ply.size()]; }
 };
 
 /// The rank's own nodes come first, then the ghosts that contact needs. A node on the border between parts, or near to one, stands on every

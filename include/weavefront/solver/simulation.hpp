@@ -32,7 +32,7 @@ struct Counts {
     double max_displacement = 0, back_face_deflection = 0;  ///< largest of the rows, m
     double lowest_contact_energy = 0;                       ///< J, over the rows: below zero contact gave energy
     double largest_hourglass = 0, largest_internal = 0;     ///< J, over the rows
-    double largest_closure = 0;                             ///< of the rows, see Balance
+    double largest_closure_error = 0;                       ///< of the rows, see Balance
     contact::Deepest deepest;                               ///< over the steps, of this rank's elements
     bool touched = false;                                   ///< whether any force ever acted on the projectile
     double last_touched = 0;                                ///< when it did last, s
@@ -94,7 +94,7 @@ class Simulation {
     [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
     [[nodiscard]] const PhaseSeconds& seconds() const { return seconds_; }
     /// Whether the host of this rank lacks memory for its ranks to share: they send messages then.
-    [[nodiscard]] bool lacks_shared_memory() const { return mailboxes_.is_refused(); }
+    [[nodiscard]] bool lacks_shared_memory() const { return shared_memory_.is_refused(); }
     /// Position of the projectile's nose at the start, m.
     [[nodiscard]] const Vec3& initial_projectile() const { return initial_projectile_; }
     /// Velocity of an own node at the present time, as of the projectile between advance_forces and integrate, m/s. The scheme itself keeps
@@ -114,8 +114,8 @@ class Simulation {
     void hold_supports();
     void move_nodes();
     void update_candidates();
-    void let_debris_go();
-    void note(const shell::Events& events);
+    void release_debris_nodes();
+    void record_events(const shell::Events& events);
     void book_sliding(ContactKind kind);
     void count_contact_work(double dt);  // of half a step
     void add_energy(std::int64_t& sum, double energy);
@@ -123,13 +123,13 @@ class Simulation {
     [[nodiscard]] bool moved_far() const;
     [[nodiscard]] Vec3 without_mirrored(Vec3 force) const;
     /// Change of a node's velocity without damping. @param step from the middle of the last step to that of this one, s
-    [[nodiscard]] Vec3 push(std::size_t node, double step) const {
+    [[nodiscard]] Vec3 velocity_increment(std::size_t node, double step) const {
         return step * (model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node]);
     }
-    [[nodiscard]] Vec3 next_velocity(std::size_t node) const {
+    [[nodiscard]] Vec3 updated_velocity(std::size_t node) const {
         const double step = (last_dt_ + dt_) / 2, drag = scene_.damping * step / 2;
-        if (drag == 0) return model_.nodes.v[node] + push(node, step);
-        return ((1 - drag) * model_.nodes.v[node] + push(node, step)) / (1 + drag);
+        if (drag == 0) return model_.nodes.v[node] + velocity_increment(node, step);
+        return ((1 - drag) * model_.nodes.v[node] + velocity_increment(node, step)) / (1 + drag);
     }
     void look_for_passages();
 
@@ -147,7 +147,7 @@ class Simulation {
 
     scene::Scene scene_;
     const parallel::Communicator& comm_;
-    parallel::Mailboxes mailboxes_;
+    parallel::SharedMemoryExchange shared_memory_;
     PhaseSeconds seconds_{};
     mesh::Panel panel_;
     Model model_;
@@ -158,7 +158,7 @@ class Simulation {
     double time_ = 0, dt_ = 0, last_dt_ = 0;  // last_dt_: from the last state to this one
     std::int64_t steps_ = 0;
     std::int64_t next_check_ = 0;  // step at which the time step is adapted again
-    bool stiffened_ = false;       // yarns of any rank, so far that this has to be done now
+    bool step_check_due_ = false;  // yarns of any rank, so far that this has to be done now
 
     bool is_stop_asked_ = false, is_stop_agreed_ = false;  // on this rank, on any
 
@@ -171,13 +171,13 @@ class Simulation {
     shell::AlignedVector<double> pack_forces_;
 
     bool candidates_outdated_ = true;
-    bool torn_ = false;                                          // whether an element of any rank has been eroded
-    contact::Whereabouts expected_nodes_, expected_projectile_;  // until candidates are chosen again
+    bool any_eroded_ = false;                              // whether an element of any rank has been eroded
+    contact::SweptBounds swept_nodes_, swept_projectile_;  // until candidates are chosen again
     std::vector<std::int32_t> just_eroded_;
 
     parallel::FixedPoint energy_, mass_scale_;
     std::int64_t contact_work_ = 0, damping_work_ = 0, eroded_work_ = 0, eroded_friction_ = 0, eroded_hourglass_ = 0;  // of energy_
-    double initial_energy_ = 0, energy_scale_ = 0, turnover_ = 0;
+    double initial_energy_ = 0, energy_scale_ = 0, transferred_energy_ = 0;
     bool faulty_energy_ = false;  // some work was not finite, or too large to be true
     Counts counts_;
     Passages passages_;

@@ -28,26 +28,26 @@ struct ContactModes {
 /// Bound on omega^2 of fabric and contact together, 1/s2, without dampers.
 ///
 /// The fabric resists motion in its elements' planes, contact motion along its direction. Where that is the normal of the elements, the
-/// larger counts; in between the eigenvalue of the two by two matrix of motion along and across.
-/// @param along, across of the fabric, in its elements' planes and out of them, 1/s2
+/// larger counts; in between the eigenvalue of the two by two matrix of motion in the plane and out of it.
+/// @param in_plane, out_of_plane of the fabric, with respect to its elements, 1/s2
 /// @param contact       of contact, 1/s2
 /// @param sine_squared  of the largest angle between a normal of an element and a direction of contact
-[[nodiscard]] double joint_frequency_squared(double along, double across, double contact, double sine_squared);
+[[nodiscard]] double joint_frequency_squared(double in_plane, double out_of_plane, double contact, double sine_squared);
 
 /// The same bound with the dampers: central differences whose dampers see the velocity half a step before are stable up to
 /// dt = 2/omega with omega^2 = omega_0^2 + omega 2 xi omega_0, so contact counts as stiffness + omega damping.
-[[nodiscard]] double damped_frequency_squared(double along, double across, const ContactModes& contact, double sine_squared);
+[[nodiscard]] double damped_frequency_squared(double in_plane, double out_of_plane, const ContactModes& contact, double sine_squared);
 
-/// The part `along` of a given bound, 1/s2: the inverse of joint_frequency_squared, which has no dampers; 0: none.
-[[nodiscard]] double in_plane_of_joint(double joint, double across, double contact, double sine_squared);
+/// The part `in_plane` of a given bound, 1/s2: the inverse of joint_frequency_squared, which has no dampers; 0: none.
+[[nodiscard]] double in_plane_of_joint(double joint, double out_of_plane, double contact, double sine_squared);
 
-/// By how much the omega^2 of a ply with free edges may be above that of an element inside it when all of them lend the area's second
-/// variation, 1/s2: what is left on the edges is c u_i x u_j of neighbouring nodes.
+/// By how much the omega^2 of a ply with free edges may be above that of an element inside it when the area's second variation is added
+/// to all of them, 1/s2: what is left on the edges is c u_i x u_j of neighbouring nodes.
 /// @param inside of an element inside, less its hourglass modes, 1/s2
-/// @param lent   4 c over the mass of an element on the edge, 1/s2
-[[nodiscard]] double excess_on_edge(double inside, double lent);
+/// @param coupling   4 c over the mass of an element on the edge, 1/s2
+[[nodiscard]] double excess_on_edge(double inside, double coupling);
 /// The same at a corner between two free edges.
-[[nodiscard]] double excess_at_corner(double inside, double lent);
+[[nodiscard]] double excess_at_corner(double inside, double coupling);
 
 /// The bound, by the scene's contact and the present state of the elements.
 class StepBound {
@@ -63,8 +63,8 @@ class StepBound {
     /// In how many steps it should be asked for again at the latest. In between it changes by far less than a safety factor leaves.
     [[nodiscard]] std::int64_t steps_to_next() const { return steps_to_next_; }
 
-    /// Tells the groups what to watch until it is asked for again.
-    void watch(Model& model) const;
+    /// Tells the groups what asks for the bound before then.
+    void set_triggers(Model& model) const;
 
   private:
     /// Of the elements in whose place a coupling leaves something on a free edge.
@@ -77,8 +77,8 @@ class StepBound {
     [[nodiscard]] Vec3 axis_of(const Model& model, const parallel::Communicator& comm) const;
     static double sine_squared_to_contact(const Model& model, const Vec3& axis, std::span<const contact::PairForce> pairs,
                                           const parallel::Communicator& comm);
-    double sharpened(const Model& model, const shell::SharpeningStart& start, double held, const parallel::Communicator& comm);
-    void choose_lendings(bool coupling, bool mass, shell::SharpeningStart& start) const;
+    double tightened(const Model& model, const shell::TighteningStart& start, double held, const parallel::Communicator& comm);
+    void choose_null_lagrangians(bool coupling, bool mass, shell::TighteningStart& start) const;
 
     std::array<std::int64_t, 3> corners_;  // of the first ply: global nodes, counter-clockwise
     std::array<bool, 2> symmetry_;
@@ -88,11 +88,11 @@ class StepBound {
     double smallest_area_;     // m2
     FreeEdges free_edges_;
     std::int64_t steps_to_next_ = 0;
-    shell::ElementGroup::Watch watch_;
+    shell::ElementGroup::StiffeningTrigger trigger_;
 
-    // What the last attempts to sharpen found: the bounds, 0 where none was sought; which lending was best, none: -1; their number; and how
+    // What the last attempts to tighten found: the bounds, 0 where none was sought; which term was best, none: -1; their number; and how
     // many times none is made, now and after the next one in vain.
-    std::array<double, shell::lendings.size()> last_{};
+    std::array<double, shell::null_lagrangians.size()> last_{};
     int best_ = -1, attempts_ = 0, waits_ = 0, will_wait_ = 1;
 };
 

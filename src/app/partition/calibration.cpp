@@ -11,8 +11,8 @@
 #include <numeric>
 #include <span>
 
-#include "pace.hpp"
-#include "ranks_apart.hpp"
+#include "cpu_speed.hpp"
+#include "spread_ranks.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/exchange.hpp"
 #include "weavefront/parallel/failure.hpp"
@@ -45,7 +45,7 @@ ContactLoad contact_load(const scene::Scene& scene, const StepTimes& times) {
     std::ranges::sort(distances);
     const auto plies = static_cast<double>(panel.plies.size());
     ContactLoad load;
-    for (const double distance : distances) load.pressed += plies * zone.pressing(distance);
+    for (const double distance : distances) load.pressed += plies * zone.press_weight(distance);
     for (const auto& step : times.steps) {
         const auto columns = std::ranges::lower_bound(distances, zone.radius(step.time)) - distances.begin();
         load.in_zone.push_back(static_cast<double>(columns) * plies);
@@ -84,9 +84,9 @@ void fit_touch(const scene::Scene& scene, const StepTimes& times, const ContactL
     }
     const Vec3 fit = products.ldlt().solve(with_contact);
     machine.press = std::max(0.0, fit[0]);
-    machine.relief = fit[1] > 0 ? std::clamp(fit[2] / fit[1], 0.0, 1.0) : 0;
+    machine.decay = fit[1] > 0 ? std::clamp(fit[2] / fit[1], 0.0, 1.0) : 0;
     // Right in the mean over the run also where a bound was met.
-    machine.touch = std::max(0.0, (contact - machine.press * sums[0]) / (sums[1] + machine.relief * sums[2]));
+    machine.touch = std::max(0.0, (contact - machine.press * sums[0]) / (sums[1] + machine.decay * sums[2]));
 }
 
 /// Over the first hundredth of the run plies are but watched.
@@ -137,13 +137,13 @@ double least_time(const parallel::Communicator& comm, Call call) {
 /// Time of an exchange with the rank half of all ranks away, in both directions at once. @param nodes shared
 double exchange_time(const parallel::Communicator& comm, std::int32_t nodes) {
     const int half = comm.size() / 2, other = comm.rank() < half ? comm.rank() + half : comm.rank() - half;
-    std::vector<parallel::Link> links;
+    std::vector<parallel::Neighbour> neighbours;
     std::vector<std::int32_t> all(static_cast<std::size_t>(nodes));
     std::iota(all.begin(), all.end(), 0);
-    if (comm.rank() < 2 * half) links.emplace_back(other, all);
-    parallel::Mailboxes mailboxes(comm);
-    parallel::Exchange<solver::FixedVector> exchange(std::move(links));
-    exchange.use(comm, mailboxes);
+    if (comm.rank() < 2 * half) neighbours.emplace_back(other, all);
+    parallel::SharedMemoryExchange shared_memory(comm);
+    parallel::Exchange<solver::FixedVector> exchange(std::move(neighbours));
+    exchange.use(comm, shared_memory);
     std::vector<solver::FixedVector> values(static_cast<std::size_t>(nodes));
     return least_time(comm, [&] { exchange.sum(comm, values); });
 }
@@ -174,15 +174,15 @@ void require_calibration(const scene::Scene& scene, int ranks) {
 Machine calibrate(const scene::Scene& scene, const parallel::Communicator& comm, int repetitions) {
     const parallel::Communicator self(MPI_COMM_SELF);
     Machine machine{.name = fmt::format("{}, {} ranks", processor(), comm.size()), .ranks = comm.size()};
-    PacedSteps alone;
+    RepeatedSteps alone;
     compute_apart(comm, comm.rank() == 0, [&] { alone = repeat_steps(scene, self, self, repetitions); });
     const auto together = repeat_steps(scene, self, comm, repetitions);
     const double slowest = comm.max(together.times.mean());
     parallel::meet(comm);
     time_messages(comm, machine);
     const auto fault = parallel::failure_on_root(comm, [&] {
-        machine.pace = alone.pace;
-        machine.crowding = std::max(1.0, slowest / together.pace / (alone.times.mean() / alone.pace));
+        machine.reference_time = alone.reference_time;
+        machine.crowding = std::max(1.0, slowest / together.reference_time / (alone.times.mean() / alone.reference_time));
         fit_steps(scene, alone.times, machine);
     });
     if (!fault.empty()) throw scene::InputError({fault});

@@ -31,14 +31,14 @@ struct Constant {
 // A second, in ns, for what takes nanoseconds: above, sums over all elements of a run may overflow.
 constexpr double most = 1e9;
 
-constexpr std::array<Constant, 13> constants{{{"pace_ns", &Machine::pace, 1e-9, 1e-6},
+constexpr std::array<Constant, 13> constants{{{"reference_ns", &Machine::reference_time, 1e-9, 1e-6},
                                               {"crowding", &Machine::crowding, 1, 1},
                                               {"element_ns", &Machine::element, 1e-9, 0},
                                               {"node_ns", &Machine::node, 1e-9, 0},
                                               {"watch_ns", &Machine::watch, 1e-9, 0},
                                               {"touch_ns", &Machine::touch, 1e-9, 0},
                                               {"press_ns", &Machine::press, 1e-9, 0},
-                                              {"relief", &Machine::relief, 1, 0},
+                                              {"decay", &Machine::decay, 1, 0},
                                               {"search_ns", &Machine::search, 1e-9, 0},
                                               {"searches_per_step", &Machine::searches_per_step, 1, 0},
                                               {"latency_us", &Machine::latency, 1e-6, 0},

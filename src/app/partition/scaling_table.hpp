@@ -14,7 +14,7 @@ struct ScalingRow {
     partition::Forecast forecast;
     double efficiency = 1;           ///< against one rank alone with the scene as it stands
     std::optional<double> measured;  ///< time of a step, s
-    double pace = 1;                 ///< of the processor while it was measured, over that of the calibration
+    double slowdown = 1;             ///< time of a reference step while it was measured, over that of the calibration
 };
 
 /// The scene for `ranks`. @param weak refines the mesh by sqrt(ranks / first), which keeps the elements per rank as they are
@@ -27,7 +27,7 @@ std::vector<ScalingRow> forecast_all(const scene::Scene& scene, bool weak, const
 /// With right-aligned columns, for a terminal.
 std::string terminal_table(const std::vector<ScalingRow>& rows);
 
-/// SI units; measured_seconds and measured_pace are empty where nothing was measured.
+/// SI units; measured_seconds and measured_slowdown are empty where nothing was measured.
 std::string csv_table(const std::vector<ScalingRow>& rows);
 
 }  // namespace weavefront::app

@@ -53,7 +53,7 @@ void StepTimes::improve_by(const StepTimes& other) {
 
 StepTimes time_steps(const scene::Scene& scene, const parallel::Communicator& comm) {
     solver::Simulation simulation(scene, comm);
-    StepTimes times{.elements = static_cast<std::int64_t>(simulation.model().places.size()), .nodes = simulation.model().nodes.count};
+    StepTimes times{.elements = static_cast<std::int64_t>(simulation.model().slots.size()), .nodes = simulation.model().nodes.count};
     while (simulation.time() < scene.time.end) times.steps.push_back(time_step(simulation, comm.size() == 1));
     return times;
 }

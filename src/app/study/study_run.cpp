@@ -9,12 +9,12 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "hand_out.hpp"
 #include "signals.hpp"
 #include "variant_run.hpp"
 #include "weavefront/io/progress.hpp"
 #include "weavefront/parallel/failure.hpp"
 #include "weavefront/parallel/on_root.hpp"
+#include "work_queue.hpp"
 
 namespace weavefront::app {
 
@@ -37,7 +37,7 @@ class StudyRun {
   public:
     StudyRun(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
              const parallel::Communicator& comm, io::Log& log)
-        : study_(study), entries_(entries), folder_(folder), comm_(comm), log_(log), hand_out_(comm) {}
+        : study_(study), entries_(entries), folder_(folder), comm_(comm), log_(log), work_queue_(comm) {}
 
     void run() {
         choose_pending();
@@ -91,7 +91,7 @@ class StudyRun {
             std::vector<std::int32_t> next(1);
             const bool goes_on = !group.any(noted_signal() != 0);
             if (group.rank() == 0)
-                next[0] = goes_on ? static_cast<std::int32_t>(std::min<std::int64_t>(hand_out_.next(), std::ssize(pending_))) : -1;
+                next[0] = goes_on ? static_cast<std::int32_t>(std::min<std::int64_t>(work_queue_.next(), std::ssize(pending_))) : -1;
             group.broadcast(next);
             if (next[0] < 0 || static_cast<std::size_t>(next[0]) >= rest) return;
             const std::size_t job = plan.order[plan.together + static_cast<std::size_t>(next[0])];
@@ -119,9 +119,9 @@ class StudyRun {
 
     void tell(std::size_t job, double seconds) {
         // In parts of a billion, since the counters are whole numbers.
-        const auto done = static_cast<double>(hand_out_.done(std::llround(jobs_[job].cost / total_ * 1e9))) / 1e9;
+        const auto done = static_cast<double>(work_queue_.done(std::llround(jobs_[job].cost / total_ * 1e9))) / 1e9;
         const double left = done > 0 ? seconds_since(begin_) * (1 - std::min(done, 1.0)) / done : 0;
-        const std::int64_t finished = hand_out_.finished();
+        const std::int64_t finished = work_queue_.finished();
         const std::string name = entries_[pending_[job]].variant.name;
         // Leaders of groups print for themselves; whole lines, so that they do not mix.
         const std::string line =
@@ -143,7 +143,7 @@ class StudyRun {
     std::filesystem::path folder_;
     const parallel::Communicator& comm_;
     io::Log& log_;
-    HandOut hand_out_;
+    WorkQueue work_queue_;
     std::vector<std::size_t> pending_;  // entries to compute
     std::vector<study::Job> jobs_;      // one each
     double total_ = 0;

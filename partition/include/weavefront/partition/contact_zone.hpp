@@ -21,12 +21,12 @@ class ContactZone {
     [[nodiscard]] double radius(double time) const { return start_ + speed_ * time; }
 
     /// Share of the run up to scene.time.end during which a place is within the zone. @param distance from the axis of the shot, m
-    /// @param relief what contact costs at the beginning of the run counts 1, at its end 1 - relief, in between linearly
-    [[nodiscard]] double presence(double distance, double relief = 0) const;
+    /// @param decay what contact costs at the beginning of the run counts 1, at its end 1 - decay, in between linearly
+    [[nodiscard]] double contact_time_share(double distance, double decay = 0) const;
 
     /// How much the projectile presses plies together at a place, during nearly all of the run: 1 in its middle, falling to a half at the
     /// distance of its diameter, nothing beyond; nothing without contact between plies. @param distance from the axis of the shot, m
-    [[nodiscard]] double pressing(double distance) const { return plies_ && distance < 2 * start_ ? 1 - distance / (4 * start_) : 0; }
+    [[nodiscard]] double press_weight(double distance) const { return plies_ && distance < 2 * start_ ? 1 - distance / (4 * start_) : 0; }
 
     /// Distances of the centres of all columns from the axis of the shot, m.
     [[nodiscard]] std::vector<double> distances(const mesh::Panel& panel) const;

@@ -1,4 +1,5 @@
-// GoogleTest over MPI: every rank runs every test, rank 0 reports the failures of all ranks, and all ranks leave with the same status.
+// GoogleTest over MPI: every rank runs every test, rank 0 reports the failures of all ranks, and all ranks
+// leave with the same status.
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -29,7 +30,8 @@ struct Failure {
 std::string pack(const std::vector<Failure>& failures) {
     std::string text;
     for (const auto& failure : failures) {
-        for (const auto& field : {failure.file, std::to_string(failure.line), failure.message}) text.append(field).push_back('\0');
+        for (const auto& field : {failure.file, std::to_string(failure.line), failure.message})
+            text.append(field).push_back('\0');
     }
     return text;
 }
@@ -62,13 +64,16 @@ class AgreeingListener final : public testing::EmptyTestEventListener {
   private:
     void OnTestPartResult(const testing::TestPartResult& result) override {
         if (!result.failed() || agreeing_) return;
-        failures_.push_back({result.file_name() ? result.file_name() : "", result.line_number(), result.message()});
+        failures_.push_back(
+            {result.file_name() ? result.file_name() : "", result.line_number(), result.message()});
     }
     void OnTestEnd(const testing::TestInfo&) override { agree(); }
     void OnTestSuiteEnd(const testing::TestSuite&) override { agree(); }
     void OnEnvironmentsTearDownEnd(const testing::UnitTest&) override { agree(); }
 
-    void name_rank() { trace_.emplace("mpirun", size_, "rank " + std::to_string(rank_) + " of " + std::to_string(size_)); }
+    void name_rank() {
+        trace_.emplace("mpirun", size_, "rank " + std::to_string(rank_) + " of " + std::to_string(size_));
+    }
 
     /// Brings the failures of all ranks to rank 0 and fails its test for each of them.
     /// @note Collective
@@ -82,21 +87,24 @@ class AgreeingListener final : public testing::EmptyTestEventListener {
         std::vector<int> offsets(lengths.size());
         std::exclusive_scan(lengths.begin(), lengths.end(), offsets.begin(), 0);
         std::string all(static_cast<std::size_t>(offsets.back() + lengths.back()), '\0');
-        MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), offsets.data(), MPI_CHAR, 0, comm_);
+        MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), offsets.data(), MPI_CHAR, 0,
+                    comm_);
         if (rank_ != 0) return;
         agreeing_ = true;
         trace_.reset();  // the messages already name the rank that they come from
-        for (const auto& failure : unpack(all)) ADD_FAILURE_AT(failure.file.c_str(), failure.line) << failure.message;
+        for (const auto& failure : unpack(all))
+            ADD_FAILURE_AT(failure.file.c_str(), failure.line) << failure.message;
         name_rank();
         agreeing_ = false;
     }
 
-    /// Waits until every rank is here. A rank with a failure may have left a collective call in which the others wait for it: past its
-    /// patience it reports and ends the run.
+    /// Waits until every rank is here. A rank with a failure may have left a collective call in which the
+    /// others wait for it: past its patience it reports and ends the run.
     void await_others() {
         MPI_Request request = MPI_REQUEST_NULL;
         MPI_Ibarrier(comm_, &request);
-        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(WEAVEFRONT_TEST_PATIENCE);
+        const auto deadline =
+            std::chrono::steady_clock::now() + std::chrono::seconds(WEAVEFRONT_TEST_PATIENCE);
         for (int arrived = 0; MPI_Test(&request, &arrived, MPI_STATUS_IGNORE), arrived == 0;) {
             if (!failures_.empty() && std::chrono::steady_clock::now() > deadline) give_up();
             std::this_thread::sleep_for(std::chrono::microseconds(100));
@@ -105,7 +113,8 @@ class AgreeingListener final : public testing::EmptyTestEventListener {
 
     [[noreturn]] void give_up() const {
         for (const auto& failure : failures_) {
-            std::fprintf(stderr, "%s:%d: Failure\n%s\n", failure.file.c_str(), failure.line, failure.message.c_str());
+            std::fprintf(stderr, "%s:%d: Failure\n%s\n", failure.file.c_str(), failure.line,
+                         failure.message.c_str());
         }
         std::fprintf(stderr, "rank %d failed and the others did not finish the test; aborting\n", rank_);
         std::fflush(nullptr);
@@ -131,7 +140,8 @@ int main(int argc, char** argv) {
 
     auto& listeners = testing::UnitTest::GetInstance()->listeners();
     if (rank != 0) delete listeners.Release(listeners.default_result_printer());
-    // Behind the printer: end events run backwards through the list, so the outcome is agreed before it is printed.
+    // Behind the printer: end events run backwards through the list, so the outcome is agreed before it is
+    // printed.
     auto* const agreeing = new AgreeingListener(MPI_COMM_WORLD);
     listeners.Append(agreeing);
 

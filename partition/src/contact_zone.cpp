@@ -7,15 +7,19 @@ namespace weavefront::partition {
 
 namespace {
 
-// Measured from 20 to 180 us in the 267 m/s example and from 17 to 69 us in the 550 m/s one: 19 of 20 elements near to touching are within.
+// Measured from 20 to 180 us in the 267 m/s example and from 17 to 69 us in the 550 m/s one: 19 of 20
+// elements near to touching are within.
 constexpr double share_of_speeds = 0.24;
 
-double speed_of(const std::array<double, 3>& velocity) { return std::hypot(velocity[0], velocity[1], velocity[2]); }
+double speed_of(const std::array<double, 3>& velocity) {
+    return std::hypot(velocity[0], velocity[1], velocity[2]);
+}
 
 }  // namespace
 
 double wave_speed(const scene::Fabric& fabric) {
-    return std::sqrt(fabric.elastic.static_modulus * fabric.yarn.area / (fabric.yarn.span * fabric.areal_density));
+    return std::sqrt(fabric.elastic.static_modulus * fabric.yarn.area /
+                     (fabric.yarn.span * fabric.areal_density));
 }
 
 double largest_wave_speed(const scene::Scene& scene) {
@@ -31,7 +35,9 @@ ContactZone::ContactZone(const scene::Scene& scene) : end_(scene.time.end) {
     const auto& projectile = *scene.projectile;
     axis_ = {projectile.position[0], projectile.position[1]};
     start_ = projectile.diameter / 2;
-    if (plies_) speed_ = share_of_speeds * std::cbrt(std::pow(largest_wave_speed(scene), 2) * speed_of(projectile.velocity));
+    if (plies_)
+        speed_ = share_of_speeds *
+                 std::cbrt(std::pow(largest_wave_speed(scene), 2) * speed_of(projectile.velocity));
 }
 
 double ContactZone::contact_time_share(double distance, double decay) const {

@@ -15,8 +15,8 @@ std::vector<std::int32_t> column_costs(const mesh::Panel& panel, const scene::Sc
     std::vector<std::int32_t> costs;
     costs.reserve(static_cast<std::size_t>(panel.columns()));
     for (const double distance : zone.distances(panel)) {
-        const double contact =
-            zone.contact_time_share(distance, machine.decay) * machine.touch + zone.press_weight(distance) * machine.press;
+        const double contact = zone.contact_time_share(distance, machine.decay) * machine.touch +
+                               zone.press_weight(distance) * machine.press;
         costs.push_back(static_cast<std::int32_t>(std::lround(1e9 * plies * (everywhere + contact))));
     }
     return costs;

@@ -36,15 +36,18 @@ Graph column_graph(const mesh::Panel& panel) {
     return graph;
 }
 
-/// METIS may leave parts empty when there are nearly as many parts as columns: each takes the last column of the fullest part.
+/// METIS may leave parts empty when there are nearly as many parts as columns: each takes the last column of
+/// the fullest part.
 void fill_empty_parts(Decomposition& decomposition) {
     std::vector<std::vector<std::size_t>> columns(static_cast<std::size_t>(decomposition.parts));
-    for (std::size_t c = 0; c < decomposition.owner.size(); ++c) columns[static_cast<std::size_t>(decomposition.owner[c])].push_back(c);
+    for (std::size_t c = 0; c < decomposition.owner.size(); ++c)
+        columns[static_cast<std::size_t>(decomposition.owner[c])].push_back(c);
     const auto less_full = [&](std::size_t a, std::size_t b) {
         return columns[a].size() != columns[b].size() ? columns[a].size() < columns[b].size() : a > b;
     };
     std::vector<std::size_t> fullest, empty;
-    for (std::size_t part = 0; part < columns.size(); ++part) (columns[part].empty() ? empty : fullest).push_back(part);
+    for (std::size_t part = 0; part < columns.size(); ++part)
+        (columns[part].empty() ? empty : fullest).push_back(part);
     std::ranges::make_heap(fullest, less_full);
     for (const auto part : empty) {
         std::ranges::pop_heap(fullest, less_full);
@@ -58,18 +61,22 @@ void fill_empty_parts(Decomposition& decomposition) {
 // METIS adds weights in 32 bits.
 constexpr std::int64_t largest_total = std::int64_t{1} << 30;
 
-/// A column that weighs as much as a part is one: were it to weigh more, METIS would run out of columns on its way to the last parts.
+/// A column that weighs as much as a part is one: were it to weigh more, METIS would run out of columns on
+/// its way to the last parts.
 std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights, int parts) {
     const auto total = std::accumulate(weights.begin(), weights.end(), std::int64_t{0});
-    const auto divisor = total / largest_total + 1, of_part = std::max(total / divisor / parts, std::int64_t{1});
+    const auto divisor = total / largest_total + 1,
+               of_part = std::max(total / divisor / parts, std::int64_t{1});
     std::vector<idx_t> scaled;
     scaled.reserve(weights.size());
     for (const auto weight : weights)
-        scaled.push_back(weight > 0 ? static_cast<idx_t>(std::clamp(weight / divisor, std::int64_t{1}, of_part)) : 0);
+        scaled.push_back(
+            weight > 0 ? static_cast<idx_t>(std::clamp(weight / divisor, std::int64_t{1}, of_part)) : 0);
     return scaled;
 }
 
-/// METIS handles SIGTERM itself while it works, and then fails. It is kept from this thread until METIS has given its handling back.
+/// METIS handles SIGTERM itself while it works, and then fails. It is kept from this thread until METIS has
+/// given its handling back.
 class HeldTermination {
   public:
     HeldTermination() {
@@ -94,7 +101,8 @@ struct Call {
 };
 
 Decomposition partition(const mesh::Panel& panel, std::vector<idx_t> weights, int parts, Call call) {
-    Decomposition decomposition{parts, std::vector<std::int32_t>(static_cast<std::size_t>(panel.columns()), 0)};
+    Decomposition decomposition{parts,
+                                std::vector<std::int32_t>(static_cast<std::size_t>(panel.columns()), 0)};
     if (parts == 1) return decomposition;
     auto graph = column_graph(panel);
     auto vertices = static_cast<idx_t>(panel.columns());
@@ -106,10 +114,13 @@ Decomposition partition(const mesh::Panel& panel, std::vector<idx_t> weights, in
     std::vector<idx_t> owner(decomposition.owner.size());
     const SilentOutput silent;
     const HeldTermination held;
-    const int status =
-        call.method(&vertices, &call.constraints, graph.first.data(), graph.neighbours.data(), weights.data(), nullptr, nullptr,
-                    &parts_wanted, nullptr, call.imbalances.empty() ? nullptr : call.imbalances.data(), options.data(), &cut, owner.data());
-    if (status != METIS_OK) throw std::runtime_error("METIS could not partition the target (status " + std::to_string(status) + ")");
+    const int status = call.method(&vertices, &call.constraints, graph.first.data(), graph.neighbours.data(),
+                                   weights.data(), nullptr, nullptr, &parts_wanted, nullptr,
+                                   call.imbalances.empty() ? nullptr : call.imbalances.data(), options.data(),
+                                   &cut, owner.data());
+    if (status != METIS_OK)
+        throw std::runtime_error("METIS could not partition the target (status " + std::to_string(status) +
+                                 ")");
     decomposition.owner.assign(owner.begin(), owner.end());
     fill_empty_parts(decomposition);
     return decomposition;
@@ -117,8 +128,8 @@ Decomposition partition(const mesh::Panel& panel, std::vector<idx_t> weights, in
 
 void require_columns(const mesh::Panel& panel, int parts) {
     if (parts > panel.columns())
-        throw std::invalid_argument(std::to_string(parts) + " ranks for a target of " + std::to_string(panel.columns()) +
-                                    " columns: use at most that many");
+        throw std::invalid_argument(std::to_string(parts) + " ranks for a target of " +
+                                    std::to_string(panel.columns()) + " columns: use at most that many");
 }
 
 }  // namespace
@@ -133,13 +144,17 @@ std::vector<std::int64_t> Decomposition::columns_of(int part) const {
 Decomposition decompose(const mesh::Panel& panel, std::span<const std::int32_t> weights, int parts) {
     require_columns(panel, parts);
     auto scaled = metis_weights(weights, parts);
-    // Asked for less imbalance than half of the heaviest column makes, METIS scatters columns in search of it.
-    const auto of_part = static_cast<double>(std::accumulate(scaled.begin(), scaled.end(), std::int64_t{0})) / parts;
+    // Asked for less imbalance than half of the heaviest column makes, METIS scatters columns in search of
+    // it.
+    const auto of_part =
+        static_cast<double>(std::accumulate(scaled.begin(), scaled.end(), std::int64_t{0})) / parts;
     const double in_thousandths = scaled.empty() ? 0 : 500 * *std::ranges::max_element(scaled) / of_part;
-    return partition(panel, std::move(scaled), parts, {METIS_PartGraphKway, 1, 1, std::max(5, static_cast<idx_t>(in_thousandths)), {}});
+    return partition(panel, std::move(scaled), parts,
+                     {METIS_PartGraphKway, 1, 1, std::max(5, static_cast<idx_t>(in_thousandths)), {}});
 }
 
-Decomposition decompose(const mesh::Panel& panel, std::span<const std::vector<std::int32_t>> shares, int parts, int seed) {
+Decomposition decompose(const mesh::Panel& panel, std::span<const std::vector<std::int32_t>> shares,
+                        int parts, int seed) {
     require_columns(panel, parts);
     const auto columns = static_cast<std::size_t>(panel.columns());
     std::vector<idx_t> weights(columns * shares.size());
@@ -147,16 +162,21 @@ Decomposition decompose(const mesh::Panel& panel, std::span<const std::vector<st
     for (std::size_t s = 0; s < shares.size(); ++s) {
         const auto share = metis_weights(shares[s], parts);
         for (std::size_t c = 0; c < columns; ++c) weights[c * shares.size() + s] = share[c];
-        const auto of_part = static_cast<double>(std::accumulate(share.begin(), share.end(), std::int64_t{0})) / parts;
-        imbalances.push_back(static_cast<real_t>(1 + std::max(0.01, 0.5 * *std::ranges::max_element(share) / of_part)));
+        const auto of_part =
+            static_cast<double>(std::accumulate(share.begin(), share.end(), std::int64_t{0})) / parts;
+        imbalances.push_back(
+            static_cast<real_t>(1 + std::max(0.01, 0.5 * *std::ranges::max_element(share) / of_part)));
     }
-    return partition(panel, std::move(weights), parts,
-                     {METIS_PartGraphRecursive, static_cast<idx_t>(shares.size()), seed, 10, std::move(imbalances)});
+    return partition(
+        panel, std::move(weights), parts,
+        {METIS_PartGraphRecursive, static_cast<idx_t>(shares.size()), seed, 10, std::move(imbalances)});
 }
 
 std::int64_t cut_edges(const Decomposition& decomposition, const mesh::Panel& panel) {
     const auto nx = panel.columns_x(), ny = panel.columns_y();
-    const auto owner = [&](std::int64_t i, std::int64_t j) { return decomposition.owner[static_cast<std::size_t>(j * nx + i)]; };
+    const auto owner = [&](std::int64_t i, std::int64_t j) {
+        return decomposition.owner[static_cast<std::size_t>(j * nx + i)];
+    };
     std::int64_t cut = 0;
     for (std::int64_t j = 0; j < ny; ++j)
         for (std::int64_t i = 0; i < nx; ++i) {
@@ -168,8 +188,10 @@ std::int64_t cut_edges(const Decomposition& decomposition, const mesh::Panel& pa
 
 double imbalance(const Decomposition& decomposition, std::span<const std::int32_t> weights) {
     std::vector<double> load(static_cast<std::size_t>(decomposition.parts));
-    for (std::size_t c = 0; c < weights.size(); ++c) load[static_cast<std::size_t>(decomposition.owner[c])] += weights[c];
-    return *std::max_element(load.begin(), load.end()) * decomposition.parts / std::accumulate(load.begin(), load.end(), 0.0);
+    for (std::size_t c = 0; c < weights.size(); ++c)
+        load[static_cast<std::size_t>(decomposition.owner[c])] += weights[c];
+    return *std::max_element(load.begin(), load.end()) * decomposition.parts /
+           std::accumulate(load.begin(), load.end(), 0.0);
 }
 
 }  // namespace weavefront::partition

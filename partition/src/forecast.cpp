@@ -31,8 +31,8 @@ double exchange(const Machine& machine, const PartSizes& sizes) {
 /// Work of each part at every moment, s.
 class Work {
   public:
-    Work(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition, std::span<const PartSizes> sizes,
-         const Machine& machine)
+    Work(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition,
+         std::span<const PartSizes> sizes, const Machine& machine)
         : scene_(scene),
           decomposition_(decomposition),
           plies_(static_cast<double>(panel.plies.size())),
@@ -43,8 +43,9 @@ class Work {
         const double crowded = crowding(machine, decomposition.parts);
         const double watched = zone_.plies() ? machine.watch + renewals(scene, machine) * machine.search : 0;
         for (const auto& part : sizes)
-            everywhere_.push_back(crowded * (static_cast<double>(part.columns) * plies_ * (machine.element + watched) +
-                                             static_cast<double>(part.nodes) * machine.node));
+            everywhere_.push_back(crowded *
+                                  (static_cast<double>(part.columns) * plies_ * (machine.element + watched) +
+                                   static_cast<double>(part.nodes) * machine.node));
         for (std::size_t c = 0; c < distances_.size(); ++c)
             everywhere_[part_of(c)] += crowded * plies_ * zone_.press_weight(distances_[c]) * machine.press;
     }
@@ -59,7 +60,9 @@ class Work {
     }
 
   private:
-    [[nodiscard]] std::size_t part_of(std::size_t column) const { return static_cast<std::size_t>(decomposition_.owner[column]); }
+    [[nodiscard]] std::size_t part_of(std::size_t column) const {
+        return static_cast<std::size_t>(decomposition_.owner[column]);
+    }
 
     const scene::Scene& scene_;
     const Decomposition& decomposition_;
@@ -71,7 +74,8 @@ class Work {
 };
 
 double over_mean(std::span<const double> values) {
-    return *std::ranges::max_element(values) * static_cast<double>(values.size()) / std::accumulate(values.begin(), values.end(), 0.0);
+    return *std::ranges::max_element(values) * static_cast<double>(values.size()) /
+           std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 }  // namespace
@@ -82,8 +86,8 @@ double renewals(const scene::Scene& scene, const Machine& machine) {
     return machine.searches_per_step * 100 * std::hypot(v[0], v[1], v[2]) / largest_wave_speed(scene);
 }
 
-Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition, double ghost_reach,
-                  const Machine& machine) {
+Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition,
+                  double ghost_reach, const Machine& machine) {
     const auto sizes = halo_sizes(panel, decomposition, ghost_reach);
     const Work work(scene, panel, decomposition, sizes, machine);
     Forecast result{.ranks = decomposition.parts, .columns = panel.columns(), .elements = panel.elements()};
@@ -92,12 +96,14 @@ Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Dec
     for (int moment = 0; moment < moments; ++moment) {
         const auto now = work.at(moment);
         double most = 0;
-        for (std::size_t p = 0; p < now.size(); ++p) most = std::max(most, now[p] + exchange(machine, sizes[p]));
+        for (std::size_t p = 0; p < now.size(); ++p)
+            most = std::max(most, now[p] + exchange(machine, sizes[p]));
         most_work += *std::ranges::max_element(now);
         all_work += std::accumulate(now.begin(), now.end(), 0.0);
         result.seconds += most / moments;
     }
-    if (decomposition.parts > 1) result.seconds += reductions_per_step * machine.reduction * std::ceil(std::log2(decomposition.parts));
+    if (decomposition.parts > 1)
+        result.seconds += reductions_per_step * machine.reduction * std::ceil(std::log2(decomposition.parts));
     for (const auto& part : sizes) {
         elements.push_back(static_cast<double>(part.columns));
         result.most_neighbours = std::max(result.most_neighbours, part.neighbours);

@@ -7,7 +7,8 @@
 
 namespace weavefront::partition {
 
-HaloPlan make_halo_plan(const mesh::Panel& panel, const Decomposition& decomposition, const mesh::Part& part, int rank) {
+HaloPlan make_halo_plan(const mesh::Panel& panel, const Decomposition& decomposition, const mesh::Part& part,
+                        int rank) {
     HaloPlan plan;
     plan.owned.resize(part.node_ids.size());
     std::map<int, std::vector<std::int32_t>> shared;

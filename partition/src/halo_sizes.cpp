@@ -17,8 +17,9 @@ struct Range {
 std::vector<Range> within_reach(const std::vector<double>& lines, double reach) {
     std::vector<Range> ranges;
     for (std::size_t i = 0; i + 1 < lines.size(); ++i)
-        ranges.push_back({std::lower_bound(lines.begin() + 1, lines.end(), lines[i] - reach) - (lines.begin() + 1),
-                          std::upper_bound(lines.begin(), lines.end() - 1, lines[i + 1] + reach) - lines.begin()});
+        ranges.push_back(
+            {std::lower_bound(lines.begin() + 1, lines.end(), lines[i] - reach) - (lines.begin() + 1),
+             std::upper_bound(lines.begin(), lines.end() - 1, lines[i + 1] + reach) - lines.begin()});
     return ranges;
 }
 
@@ -38,7 +39,8 @@ class Counter {
           plies_(static_cast<std::int64_t>(panel.plies.size())),
           sizes_(static_cast<std::size_t>(decomposition.parts)) {
         for (const auto part : decomposition.owner) ++at(part).columns;
-        for (std::int64_t node = 0; node < panel.nodes_per_ply(); ++node) holders_.push_back(holders_of(panel, decomposition, node));
+        for (std::int64_t node = 0; node < panel.nodes_per_ply(); ++node)
+            holders_.push_back(holders_of(panel, decomposition, node));
     }
 
     void find_ghosts(double reach) {
@@ -117,7 +119,8 @@ class Counter {
 
 }  // namespace
 
-Holders holders_of(const mesh::Panel& panel, const Decomposition& decomposition, std::int64_t footprint_node) {
+Holders holders_of(const mesh::Panel& panel, const Decomposition& decomposition,
+                   std::int64_t footprint_node) {
     const auto stride = panel.columns_x() + 1;
     const auto i = footprint_node % stride, j = footprint_node / stride;
     Holders holders;
@@ -126,13 +129,15 @@ Holders holders_of(const mesh::Panel& panel, const Decomposition& decomposition,
             const auto part = decomposition.owner[static_cast<std::size_t>(cj * panel.columns_x() + ci)];
             if (holders.has(part)) continue;
             auto place = static_cast<std::size_t>(holders.count++);
-            for (; place > 0 && holders.parts[place - 1] > part; --place) holders.parts[place] = holders.parts[place - 1];
+            for (; place > 0 && holders.parts[place - 1] > part; --place)
+                holders.parts[place] = holders.parts[place - 1];
             holders.parts[place] = part;
         }
     return holders;
 }
 
-std::vector<PartSizes> halo_sizes(const mesh::Panel& panel, const Decomposition& decomposition, double ghost_reach) {
+std::vector<PartSizes> halo_sizes(const mesh::Panel& panel, const Decomposition& decomposition,
+                                  double ghost_reach) {
     Counter counter(panel, decomposition);
     if (ghost_reach > 0) counter.find_ghosts(ghost_reach);
     return counter.sizes();

@@ -27,13 +27,14 @@ struct Options {
 };
 
 constexpr const char* header =
-    "time,lambda_fill,lambda_warp,theta,h_fill,strain_fill,strain_warp,stress_fill,stress_warp,contact_factor,stress_xx,stress_yy,stress_"
+    "time,lambda_fill,lambda_warp,theta,h_fill,strain_fill,strain_warp,stress_fill,stress_warp,contact_"
+    "factor,stress_xx,stress_yy,stress_"
     "xy,"
     "broken_fill,broken_warp";
 
 template <fabric::Features F>
-std::array<double, 15> row(const fabric::Constants& c, double time, const fabric::State<double>& state, const Kinematics& k,
-                           const fabric::Response<double>& response) {
+std::array<double, 15> row(const fabric::Constants& c, double time, const fabric::State<double>& state,
+                           const Kinematics& k, const fabric::Response<double>& response) {
     const fabric::Trellis<double> trellis = fabric::trellis_of(k.cos_2theta);
     const fabric::YarnState<double> yarns = fabric::yarn_state<F>(c, state);
     // Cauchy stress from the Kirchhoff resultant t_e tau
@@ -57,15 +58,16 @@ std::array<double, 15> row(const fabric::Constants& c, double time, const fabric
 
 /// @param name of the file of the path, for messages
 template <fabric::Features F>
-CsvTable deform(const fabric::Constants& c, const fabric::Features& features, const std::vector<Deformation>& path,
-                const std::string& name) {
+CsvTable deform(const fabric::Constants& c, const fabric::Features& features,
+                const std::vector<Deformation>& path, const std::string& name) {
     CsvTable table(header);
     fabric::State<double> state = fabric::initial_state<F, double>(c);
     table.add(row<F>(c, path.front().time, state, kinematics(path.front()), {}));
     for (std::size_t i = 1; i < path.size(); ++i) {
         const fabric::Step step = fabric::step_of(c, features, path[i].time - path[i - 1].time);
         const Kinematics k = kinematics(path[i]);
-        const fabric::Response<double> response = fabric::advance<F>(c, step, state, k.lambda_f, k.lambda_w, k.cos_2theta);
+        const fabric::Response<double> response =
+            fabric::advance<F>(c, step, state, k.lambda_f, k.lambda_w, k.cos_2theta);
         table.add(row<F>(c, path[i].time, state, k, response), fmt::format("{}:{}:1", name, path[i].line));
     }
     return table;
@@ -91,10 +93,14 @@ void add_cell(CLI::App& app) {
     command->add_option("SCENE", options->scene, "Scene file (YAML); only its fabrics are read")->required();
     command
         ->add_option("--path", options->path,
-                     "CSV with the columns time,F11,F12,F21,F22: deformation gradient in the initial yarn axes (1 fill, 2 warp), "
+                     "CSV with the columns time,F11,F12,F21,F22: deformation gradient in the initial yarn "
+                     "axes (1 fill, 2 warp), "
                      "first row the identity, one material step a row")
         ->required();
-    command->add_option("--out", options->out, "CSV to write, SI units, stresses in the bisector frame of the yarns")->required();
+    command
+        ->add_option("--out", options->out,
+                     "CSV to write, SI units, stresses in the bisector frame of the yarns")
+        ->required();
     command->add_option("--fabric", options->fabric, "Name of the fabric, where the scene has several");
     add_overrides(*command, options->overrides);
     command->callback([options] { cell(*options); });

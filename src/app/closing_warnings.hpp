@@ -11,6 +11,7 @@
 namespace weavefront::app {
 
 /// One line each. @param last balance of the run @note Collective
-std::vector<std::string> closing_warnings(const scene::Scene& scene, const solver::Simulation& simulation, const solver::Balance& last);
+std::vector<std::string> closing_warnings(const scene::Scene& scene, const solver::Simulation& simulation,
+                                          const solver::Balance& last);
 
 }  // namespace weavefront::app

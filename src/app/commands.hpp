@@ -7,7 +7,8 @@
 
 namespace weavefront::app {
 
-/// A run stopped by the physics or numerics guard, exit status 1. scene::InputError exits with 2, every other exception with 3.
+/// A run stopped by the physics or numerics guard, exit status 1. scene::InputError exits with 2, every other
+/// exception with 3.
 class GuardStop : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -17,9 +17,10 @@ void CsvTable::add(std::span<const double> values, std::string_view cause) {
     ++rows_;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i]))
-            throw scene::InputError({fmt::format("{}: found values that make {} {}, allowed those of finite results",
-                                                 cause.empty() ? fmt::format("row {}", rows_) : std::string(cause),
-                                                 study::cells_of(header_)[i].text, std::isnan(values[i]) ? "undefined" : "infinite")});
+            throw scene::InputError({fmt::format(
+                "{}: found values that make {} {}, allowed those of finite results",
+                cause.empty() ? fmt::format("row {}", rows_) : std::string(cause),
+                study::cells_of(header_)[i].text, std::isnan(values[i]) ? "undefined" : "infinite")});
         fmt::format_to(std::back_inserter(text_), "{}{:.17g}", i == 0 ? "" : ",", values[i]);
     }
     text_ += '\n';

@@ -15,7 +15,8 @@ class CsvTable {
     /// @param header column names, separated by commas
     explicit CsvTable(std::string_view header);
 
-    /// Adds a row. @param values one per column, written with 17 significant digits, which give back the same doubles
+    /// Adds a row. @param values one per column, written with 17 significant digits, which give back the same
+    /// doubles
     /// @param cause what the row comes of, for a message; empty: its number
     /// @throws scene::InputError naming the column when one is not finite
     void add(std::span<const double> values, std::string_view cause = {});

@@ -50,7 +50,8 @@ io::Topology topology_of(const solver::Simulation& simulation) {
     for (std::size_t e = 0; e < model.global.element_ids.size(); ++e) {
         const auto& facet = model.surface.facets[e];
         std::array<std::int64_t, 4> corners{};
-        for (std::size_t a = 0; a < 4; ++a) corners[a] = model.nodes.ids[static_cast<std::size_t>(facet.nodes[a])];
+        for (std::size_t a = 0; a < 4; ++a)
+            corners[a] = model.nodes.ids[static_cast<std::size_t>(facet.nodes[a])];
         topology.connectivity.push_back(corners);
         topology.ply.push_back(facet.ply + 1);
     }
@@ -81,11 +82,12 @@ io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Fiel
         velocity = simulation.projectile_velocity();
     }
     if (wanted(fields, scene::Field::displacement))
-        frame.point_data.push_back({"displacement",
-                                    3,
-                                    false,
-                                    vectors([&](std::size_t n) -> Vec3 { return nodes.x[n] - nodes.initial[n]; }),
-                                    {travel.x(), travel.y(), travel.z()}});
+        frame.point_data.push_back(
+            {"displacement",
+             3,
+             false,
+             vectors([&](std::size_t n) -> Vec3 { return nodes.x[n] - nodes.initial[n]; }),
+             {travel.x(), travel.y(), travel.z()}});
     if (wanted(fields, scene::Field::velocity))
         frame.point_data.push_back({"velocity",
                                     3,
@@ -97,7 +99,8 @@ io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Fiel
     for (const auto& field : cell_fields())
         if (wanted(fields, field.field)) cells.push_back(field);
     const auto elements = model.slots.size();
-    for (const auto& field : cells) frame.cell_data.push_back({field.name, 1, field.integer, std::vector<double>(elements), {}});
+    for (const auto& field : cells)
+        frame.cell_data.push_back({field.name, 1, field.integer, std::vector<double>(elements), {}});
     io::Array joined{"joined", 1, true, std::vector<double>(elements), {}};
     frame.eroded.reserve(elements);
     for (std::size_t e = 0; e < elements; ++e) {

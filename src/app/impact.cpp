@@ -26,10 +26,12 @@ namespace weavefront::app {
 
 namespace {
 
-// However seldom rows are written, a run that has gone wrong is not computed to its end; the balance costs about as much as a step.
+// However seldom rows are written, a run that has gone wrong is not computed to its end; the balance costs
+// about as much as a step.
 constexpr std::int64_t steps_between_balances = 1000;
 
-// A launcher that has passed on a signal to end may leave a second: so many bytes of results are copied within it.
+// A launcher that has passed on a signal to end may leave a second: so many bytes of results are copied
+// within it.
 constexpr double quick_to_cut = 2e8;
 
 /// Times 0, interval, 2 interval, ...: each is due at the first step at or after it.
@@ -52,8 +54,8 @@ class Schedule {
 
 class Impact::Run {
   public:
-    Run(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm, io::Terminal terminal,
-        std::optional<double> rebalance)
+    Run(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm,
+        io::Terminal terminal, std::optional<double> rebalance)
         : scene_(scene),
           comm_(comm),
           directory_(directory),
@@ -78,8 +80,8 @@ class Impact::Run {
         } catch (const io::NotFinite& refused) {
             ending = {Ending::Kind::stopped, refused.what()};
         } catch (const io::FileError& failure) {
-            log_.record(
-                fmt::format("Ended at t = {:.6g} us after {} steps: {}", simulation_.time() * 1e6, simulation_.steps(), failure.what()));
+            log_.record(fmt::format("Ended at t = {:.6g} us after {} steps: {}", simulation_.time() * 1e6,
+                                    simulation_.steps(), failure.what()));
             report_.record_end();
             throw;
         }
@@ -89,14 +91,16 @@ class Impact::Run {
         report_.finish(simulation_, last_, ending, directory_.path(), history_.hash());
         const bool is_to_be_cut = ending.kind != Ending::Kind::interrupted || results_.bytes() < quick_to_cut;
         if (is_to_be_cut && !results_.cut())
-            log_.warn("results.vtkhdf keeps room for more frames: the disk cannot hold a shorter copy beside it");
+            log_.warn(
+                "results.vtkhdf keeps room for more frames: the disk cannot hold a shorter copy beside it");
         return ending;
     }
 
   private:
     /// The new run is certain to start: its files take the place of those of an earlier one.
     void publish() {
-        if (comm_.any(noted_signal() != 0)) throw Interrupted(agreed_signal() + " received before the first step: nothing was written");
+        if (comm_.any(noted_signal() != 0))
+            throw Interrupted(agreed_signal() + " received before the first step: nothing was written");
         const auto replaced = directory_.clear();
         log_.publish();
         history_.publish();
@@ -106,7 +110,9 @@ class Impact::Run {
     }
 
     /// Name of a signal that ranks have received. @note Collective
-    [[nodiscard]] std::string agreed_signal() const { return name_of_signal(static_cast<int>(comm_.max(noted_signal()))); }
+    [[nodiscard]] std::string agreed_signal() const {
+        return name_of_signal(static_cast<int>(comm_.max(noted_signal())));
+    }
 
     [[nodiscard]] bool is_at_end() const { return simulation_.time() >= scene_.time.end; }
 
@@ -130,7 +136,9 @@ class Impact::Run {
         }
     }
 
-    [[nodiscard]] bool is_decided() const { return scene_.time.stop == scene::Stop::decided && solver::is_settled(simulation_, last_); }
+    [[nodiscard]] bool is_decided() const {
+        return scene_.time.stop == scene::Stop::decided && solver::is_settled(simulation_, last_);
+    }
 
     [[nodiscard]] Ending ending_now() const {
         if (is_at_end()) return {Ending::Kind::finished, "end time reached"};
@@ -168,24 +176,28 @@ class Impact::Run {
         last_frame_ = simulation_.time();
     }
 
-    /// The state at which the guard has stopped the run, unless it is not finite, which is added to the reason then.
+    /// The state at which the guard has stopped the run, unless it is not finite, which is added to the
+    /// reason then.
     void write_last_good_frame(std::string& reason) {
         try {
             write_frame();
         } catch (const io::NotFinite& refused) {
             if (reason != refused.what()) reason += std::string("; ") + refused.what();
-            reason += results_.frames() > 0 ? fmt::format("; the last frame is that of t = {:.6g} us", last_frame_ * 1e6)
-                                            : "; no frame was written";
+            reason += results_.frames() > 0
+                          ? fmt::format("; the last frame is that of t = {:.6g} us", last_frame_ * 1e6)
+                          : "; no frame was written";
         }
     }
 
-    /// Frames at the first step at or after each output time, and at the end: not more than there are steps. Where steps become so much
-    /// shorter that there are more, the file gets more room.
+    /// Frames at the first step at or after each output time, and at the end: not more than there are steps.
+    /// Where steps become so much shorter that there are more, the file gets more room.
     [[nodiscard]] std::int64_t expected_frames() const {
         constexpr double rounding = 1e-6, shorter_steps = 1.5;
         const double end = scene_.time.end, interval = scene_.output.interval;
         const double times = interval > 0 ? std::ceil(end / interval - rounding) : 1;
-        return static_cast<std::int64_t>(std::min(times, std::ceil(shorter_steps * end / simulation_.time_step()))) + 1;
+        return static_cast<std::int64_t>(
+                   std::min(times, std::ceil(shorter_steps * end / simulation_.time_step()))) +
+               1;
     }
 
     [[nodiscard]] io::ResultsSetup setup() {
@@ -214,8 +226,8 @@ class Impact::Run {
     bool is_rebalanced_ = false;
 };
 
-Impact::Impact(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm, io::Terminal terminal,
-               std::optional<double> rebalance) try
+Impact::Impact(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm,
+               io::Terminal terminal, std::optional<double> rebalance) try
     : run_(std::make_unique<Run>(scene, directory, comm, terminal, rebalance)) {
 } catch (const solver::GuardStop& stop) {
     throw GuardStop(stop.what());
@@ -230,7 +242,8 @@ int columns_of(const scene::Scene& scene) { return static_cast<int>(mesh::make_p
 void require_columns(const scene::Scene& scene, int ranks) {
     const int columns = columns_of(scene);
     if (ranks > columns)
-        throw scene::InputError({fmt::format("{} ranks for a target of {} columns: use at most that many", ranks, columns)});
+        throw scene::InputError(
+            {fmt::format("{} ranks for a target of {} columns: use at most that many", ranks, columns)});
 }
 
 }  // namespace weavefront::app

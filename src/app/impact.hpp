@@ -17,8 +17,8 @@ namespace weavefront::app {
 class Impact {
   public:
     /// @param scene     must outlive this object
-    /// @param directory for history.csv, results.vtkhdf, summary.json and run.log; what it holds of an earlier run stays until
-    /// `run`; must outlive this object
+    /// @param directory for history.csv, results.vtkhdf, summary.json and run.log; what it holds of an
+    /// earlier run stays until `run`; must outlive this object
     /// @param comm      ranks that compute it; must outlive this object
     /// @param terminal  whether the log is shown
     /// @param rebalance imbalance of the ranks above which columns move between them; none: they stay
@@ -29,7 +29,8 @@ class Impact {
     Impact(const Impact&) = delete;
     Impact& operator=(const Impact&) = delete;
 
-    /// Computes to the end, or until a rank is sent a signal to stop, and writes everything. @throws Interrupted when that was sent before
+    /// Computes to the end, or until a rank is sent a signal to stop, and writes everything. @throws
+    /// Interrupted when that was sent before
     [[nodiscard]] Ending run();
 
   private:

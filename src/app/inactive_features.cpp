@@ -10,10 +10,14 @@ std::vector<std::string> inactive_features(const scene::Scene& scene, int ranks)
         if (!asked_for) phrases.emplace_back(phrase);
     };
     const auto any_fabric = [&](auto has) { return std::ranges::any_of(scene.fabrics, has); };
-    unless(any_fabric([](const auto& f) { return f.thickness > 0; }), "crimp (thickness is 0: straight yarns)");
-    unless(any_fabric([](const auto& f) { return f.elastic.viscosity > 0; }), "viscosity of the yarns (no elastic.viscosity)");
-    unless(any_fabric([](const auto& f) { return f.failure.has_value(); }), "failure and erosion (no failure)");
-    unless(any_fabric([](const auto& f) { return f.lateral.has_value(); }), "packing of the yarns (no lateral)");
+    unless(any_fabric([](const auto& f) { return f.thickness > 0; }),
+           "crimp (thickness is 0: straight yarns)");
+    unless(any_fabric([](const auto& f) { return f.elastic.viscosity > 0; }),
+           "viscosity of the yarns (no elastic.viscosity)");
+    unless(any_fabric([](const auto& f) { return f.failure.has_value(); }),
+           "failure and erosion (no failure)");
+    unless(any_fabric([](const auto& f) { return f.lateral.has_value(); }),
+           "packing of the yarns (no lateral)");
     unless(any_fabric([](const auto& f) { return f.friction > 0; }), "yarn friction (no friction)");
     unless(any_fabric([](const auto& f) { return f.transverse_shear > 0; }),
            "transverse shear (no transverse_shear: hourglass control resists warping)");

@@ -19,7 +19,8 @@ constexpr std::array rank_variables{"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RA
 // Of Open MPI's and MPICH's mpirun and of PMI launchers. SLURM_NTASKS is what a whole job asks for, also
 // where one process of it runs by itself: it counts where srun has started this process, which
 // SLURM_STEP_NUM_TASKS tells.
-constexpr std::array size_variables{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", "SLURM_NTASKS"};
+constexpr std::array size_variables{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE",
+                                    "SLURM_NTASKS"};
 
 int whole_number(std::string_view text) {
     int value = 0;
@@ -31,7 +32,8 @@ int whole_number(std::string_view text) {
 int size_in(const char* variable) {
     const char* text = std::getenv(variable);
     if (text == nullptr) return 0;
-    if (std::string_view(variable) == "SLURM_NTASKS" && std::getenv("SLURM_STEP_NUM_TASKS") == nullptr) return 0;
+    if (std::string_view(variable) == "SLURM_NTASKS" && std::getenv("SLURM_STEP_NUM_TASKS") == nullptr)
+        return 0;
     return whole_number(text);
 }
 
@@ -61,9 +63,11 @@ void require_one_job(int ranks) {
         if (size == 0) continue;
         if (size <= ranks) return;
         throw scene::InputError(
-            {fmt::format("found one rank where the launcher has started {0} processes ({1}={0}): it belongs to another MPI than this "
+            {fmt::format("found one rank where the launcher has started {0} processes ({1}={0}): it belongs "
+                         "to another MPI than this "
                          "program, so that each "
-                         "process would compute everything by itself; allowed is the mpirun of the MPI that the program was built with, or "
+                         "process would compute everything by itself; allowed is the mpirun of the MPI that "
+                         "the program was built with, or "
                          "srun --mpi=pmix",
                          size, variable)});
     }

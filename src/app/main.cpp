@@ -17,7 +17,8 @@ using namespace weavefront;
 void add_commands(CLI::App& app) {
     app.set_version_flag("--version", "weavefront " WEAVEFRONT_VERSION);
     app.footer(
-        "Exit status: 0 done, 1 stopped by the physics or numerics guard, 2 bad input or usage, 3 system error, 4 stopped by a signal.");
+        "Exit status: 0 done, 1 stopped by the physics or numerics guard, 2 bad input or usage, 3 system "
+        "error, 4 stopped by a signal.");
     app.require_subcommand(1);
     app::add_run(app);
     app::add_check(app);
@@ -30,9 +31,11 @@ void add_commands(CLI::App& app) {
 void run(CLI::App& app, const std::vector<std::string>& arguments) {
     app::refuse_unknown(app, arguments);
     try {
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // the last one first, as CLI11 takes them
+        app.parse(std::vector<std::string>(arguments.rbegin(),
+                                           arguments.rend()));  // the last one first, as CLI11 takes them
     } catch (const CLI::ParseError& error) {
-        const bool is_served = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help, --version
+        const bool is_served =
+            error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help, --version
         if (!is_served) throw scene::InputError({std::string(error.what()) + " (see weavefront --help)"});
         if (weavefront::app::is_first_process()) app.exit(error);
     }

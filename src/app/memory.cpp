@@ -24,8 +24,8 @@ int ranks_here(const parallel::Communicator& comm) {
 }  // namespace
 
 double memory_needed(const mesh::Panel& panel) {
-    // As measured on 3,000 and 10,000 plies of 1 to 100 elements, and on the large panel of examples/large_panel, whose set-up takes the
-    // most.
+    // As measured on 3,000 and 10,000 plies of 1 to 100 elements, and on the large panel of
+    // examples/large_panel, whose set-up takes the most.
     constexpr double of_element = 400, of_node = 250, of_ply = 700;
     return of_element * static_cast<double>(panel.elements()) + of_node * static_cast<double>(panel.nodes()) +
            of_ply * static_cast<double>(panel.plies.size());
@@ -33,16 +33,21 @@ double memory_needed(const mesh::Panel& panel) {
 
 double memory_here() { return io::host_memory(); }
 
-std::string bytes_text(double bytes) { return bytes < 1e9 ? fmt::format("{:.1f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9); }
+std::string bytes_text(double bytes) {
+    return bytes < 1e9 ? fmt::format("{:.1f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
+}
 
 void require_memory(const mesh::Panel& panel, const parallel::Communicator& comm) {
     const int ranks = ranks_here(comm);
     const double of_ranks = memory_needed(panel) / comm.size() * ranks, here = memory_here();
     const auto lack = parallel::first_failure(
-        comm, of_ranks <= here ? ""
-                               : fmt::format("the target has {} elements, which need about {} on the {} of {} ranks that run on one "
-                                             "machine, and it has {} to give: use more machines or a coarser mesh",
-                                             panel.elements(), bytes_text(of_ranks), ranks, comm.size(), bytes_text(here)));
+        comm,
+        of_ranks <= here
+            ? ""
+            : fmt::format(
+                  "the target has {} elements, which need about {} on the {} of {} ranks that run on one "
+                  "machine, and it has {} to give: use more machines or a coarser mesh",
+                  panel.elements(), bytes_text(of_ranks), ranks, comm.size(), bytes_text(here)));
     if (!lack.empty()) throw std::runtime_error(lack);
 }
 

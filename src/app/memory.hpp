@@ -9,7 +9,8 @@
 
 namespace weavefront::app {
 
-/// Bytes that a run takes at the most, on all ranks together. Moving columns (`--rebalance`) takes as much again for a while.
+/// Bytes that a run takes at the most, on all ranks together. Moving columns (`--rebalance`) takes as much
+/// again for a while.
 double memory_needed(const mesh::Panel& panel);
 
 /// Bytes that this machine has to give.
@@ -18,7 +19,8 @@ double memory_here();
 /// In MB, or in GB from 1 GB on.
 std::string bytes_text(double bytes);
 
-/// @throws std::runtime_error on all ranks when the ranks of one machine together need more than it has to give
+/// @throws std::runtime_error on all ranks when the ranks of one machine together need more than it has to
+/// give
 /// @note Collective
 void require_memory(const mesh::Panel& panel, const parallel::Communicator& comm);
 

@@ -48,12 +48,13 @@ Outcome outcome_of(const std::function<void()>& action) {
 
 int report(const Outcome& outcome) {
     if (!is_first_process()) {
-        // What all processes find alike is for the first one to tell. The launcher kills it when another one fails: it is given time to
-        // print.
+        // What all processes find alike is for the first one to tell. The launcher kills it when another one
+        // fails: it is given time to print.
         if (outcome.status != Status::done) std::this_thread::sleep_for(std::chrono::seconds(1));
         return static_cast<int>(outcome.status);
     }
-    for (const std::string& message : outcome.messages) fmt::print(stderr, "weavefront: error: {}\n", message);
+    for (const std::string& message : outcome.messages)
+        fmt::print(stderr, "weavefront: error: {}\n", message);
     return static_cast<int>(outcome.status);
 }
 
@@ -73,12 +74,14 @@ int report_together(const Outcome& outcome, const parallel::Communicator& comm) 
 }
 
 void require_same_arguments(const std::vector<std::string>& arguments, const parallel::Communicator& comm) {
-    const auto mine = fmt::format("weavefront {} of version {}", fmt::join(arguments, " "), WEAVEFRONT_VERSION);
+    const auto mine =
+        fmt::format("weavefront {} of version {}", fmt::join(arguments, " "), WEAVEFRONT_VERSION);
     const auto of_first = comm.broadcast(mine);
     const auto difference = parallel::first_failure(
         comm, mine == of_first
                   ? ""
-                  : fmt::format("the ranks were started differently: rank {} as {}, rank 0 as {}", comm.rank(), mine, of_first));
+                  : fmt::format("the ranks were started differently: rank {} as {}, rank 0 as {}",
+                                comm.rank(), mine, of_first));
     if (!difference.empty()) throw scene::InputError({difference});
 }
 

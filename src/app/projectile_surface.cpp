@@ -14,7 +14,8 @@ struct ProfilePoint {
 };
 
 /// Points of an arc about (radius, z) from one angle to another, measured from the axis of the shot.
-void add_arc(std::vector<ProfilePoint>& profile, double radius, double z, double arc, double from, double to) {
+void add_arc(std::vector<ProfilePoint>& profile, double radius, double z, double arc, double from,
+             double to) {
     for (int i = 0; i <= along_arc; ++i) {
         const double angle = from + (to - from) * i / along_arc;
         profile.push_back({radius + arc * std::sin(angle), z + arc * std::cos(angle)});
@@ -47,7 +48,8 @@ io::Surface projectile_surface(const scene::Scene& scene) {
     for (const auto& point : profile)
         for (int i = 0; i < around; ++i) {
             const double angle = 2 * std::numbers::pi * i / around;
-            surface.points.push_back({point.radius * std::cos(angle), point.radius * std::sin(angle), point.z});
+            surface.points.push_back(
+                {point.radius * std::cos(angle), point.radius * std::sin(angle), point.z});
         }
     for (std::size_t ring = 0; ring + 1 < profile.size(); ++ring)
         for (std::int64_t i = 0; i < around; ++i) {

@@ -31,24 +31,28 @@ std::string hosts_text(const parallel::Communicator& comm) {
     parallel::check(MPI_Get_processor_name(name.data(), &length));
     std::vector<std::pair<std::string, int>> hosts;  // in the order of ranks
     for (const auto& other : parallel::all_gather(comm, name)) {
-        const auto host = std::ranges::find(hosts, std::string(other.data()), &std::pair<std::string, int>::first);
+        const auto host =
+            std::ranges::find(hosts, std::string(other.data()), &std::pair<std::string, int>::first);
         if (host == hosts.end())
             hosts.emplace_back(other.data(), 1);
         else
             ++host->second;
     }
     std::vector<std::string> texts;
-    for (const auto& [host, ranks] : hosts) texts.push_back(fmt::format("{} ({} rank{})", host, ranks, ranks == 1 ? "" : "s"));
+    for (const auto& [host, ranks] : hosts)
+        texts.push_back(fmt::format("{} ({} rank{})", host, ranks, ranks == 1 ? "" : "s"));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 /// In quotes where a shell would not take it for one word.
 std::string shell_word(const std::string& word) {
-    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+%@";
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=,:+%@";
     constexpr std::size_t whole = 10'000;  // characters
     if (!word.empty() && word.find_first_not_of(plain) == word.npos) return word;
     std::string quoted;
-    for (const char c : scene::printable(word, whole)) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    for (const char c : scene::printable(word, whole))
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return "'" + quoted + "'";
 }
 
@@ -63,8 +67,8 @@ std::string command_line() {
 }  // namespace
 
 std::vector<std::string> run_head(const parallel::Communicator& comm) {
-    return {"  started       " + now_text(), "  hosts         " + hosts_text(comm), "  command       " + command_line(),
-            fmt::format("  revision      {}", revision)};
+    return {"  started       " + now_text(), "  hosts         " + hosts_text(comm),
+            "  command       " + command_line(), fmt::format("  revision      {}", revision)};
 }
 
 std::string run_tail(double seconds) {

@@ -28,7 +28,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::vector<io::PhaseTime> phase_times(const solver::PhaseSeconds& seconds, const parallel::Communicator& comm) {
+std::vector<io::PhaseTime> phase_times(const solver::PhaseSeconds& seconds,
+                                       const parallel::Communicator& comm) {
     const auto all = parallel::all_gather(comm, seconds);
     std::vector<io::PhaseTime> times;
     for (std::size_t p = 0; p < seconds.size(); ++p) {
@@ -49,7 +50,8 @@ std::string status_of(Ending::Kind kind) {
 }
 
 /// Time of the first broken yarn of each ply over the ranks; none where all are whole.
-std::vector<std::optional<double>> first_breaks(const solver::Counts& counts, const parallel::Communicator& comm) {
+std::vector<std::optional<double>> first_breaks(const solver::Counts& counts,
+                                                const parallel::Communicator& comm) {
     std::vector<std::optional<double>> times;
     for (const double local : counts.first_break) {
         const double first = comm.min(local);
@@ -76,9 +78,10 @@ io::ShotOutcome shot_outcome(const solver::Simulation& simulation) {
 }
 
 std::string outcome_text(const io::ShotOutcome& outcome, std::size_t plies) {
-    const auto when = outcome.decided_at ? fmt::format(" at t = {:.4g} us", *outcome.decided_at * 1e6) : std::string();
-    return fmt::format("{}{}: {} of {} plies perforated, back face at most {:.3f} mm", outcome.verdict, when, outcome.plies_perforated,
-                       plies, outcome.peak_back_face_deflection * 1e3);
+    const auto when =
+        outcome.decided_at ? fmt::format(" at t = {:.4g} us", *outcome.decided_at * 1e6) : std::string();
+    return fmt::format("{}{}: {} of {} plies perforated, back face at most {:.3f} mm", outcome.verdict, when,
+                       outcome.plies_perforated, plies, outcome.peak_back_face_deflection * 1e3);
 }
 
 }  // namespace
@@ -115,7 +118,8 @@ io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     return row;
 }
 
-RunReport::RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log) : scene_(scene), comm_(comm), log_(log) {
+RunReport::RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log)
+    : scene_(scene), comm_(comm), log_(log) {
     for (const auto& line : run_head(comm)) log_.record(line);
 }
 
@@ -127,20 +131,24 @@ void RunReport::start(const solver::Simulation& simulation) {
     const auto& panel = simulation.panel();
     log_.info(fmt::format("Weavefront {}: {}", WEAVEFRONT_VERSION, scene_.title));
     log_.info("  units         SI in all files (m, kg, s, N, J, Pa); this log says its own");
-    log_.info(fmt::format("  mesh          {} plies of {} x {} columns: {} elements, {} nodes{}", panel.plies.size(), panel.columns_x(),
-                          panel.columns_y(), panel.elements(), panel.nodes(),
-                          panel.multiplicity() > 1 ? fmt::format(" (1/{} of the target)", panel.multiplicity()) : ""));
+    log_.info(fmt::format(
+        "  mesh          {} plies of {} x {} columns: {} elements, {} nodes{}", panel.plies.size(),
+        panel.columns_x(), panel.columns_y(), panel.elements(), panel.nodes(),
+        panel.multiplicity() > 1 ? fmt::format(" (1/{} of the target)", panel.multiplicity()) : ""));
     for (const auto& fabric : scene_.fabrics)
         log_.info(fmt::format("  fabric        {}: {} formulation, {:.4g} g/m2, t_e = {:.4g} mm", fabric.name,
-                              fabric.formulation == scene::Formulation::consistent ? "consistent" : "paper", fabric.areal_density * 1e3,
-                              fabric.effective_thickness() * 1e3));
+                              fabric.formulation == scene::Formulation::consistent ? "consistent" : "paper",
+                              fabric.areal_density * 1e3, fabric.effective_thickness() * 1e3));
     if (scene_.projectile)
         log_.info(fmt::format("  projectile    {} of {:.4g} g, {:.4g} mm across, {:.6g} m/s",
-                              scene_.projectile->shape == scene::Shape::sphere ? "sphere" : "cylinder", scene_.projectile->mass * 1e3,
-                              scene_.projectile->diameter * 1e3, model.projectile->velocity.norm()));
-    log_.info(fmt::format("  ranks         {}, {:.1f} MB in all for mesh and fabric", comm_.size(), static_cast<double>(bytes[0]) / 1e6));
-    log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us", simulation.time_step() * 1e9,
-                          scene_.time.end / simulation.time_step(), scene_.time.end * 1e6));
+                              scene_.projectile->shape == scene::Shape::sphere ? "sphere" : "cylinder",
+                              scene_.projectile->mass * 1e3, scene_.projectile->diameter * 1e3,
+                              model.projectile->velocity.norm()));
+    log_.info(fmt::format("  ranks         {}, {:.1f} MB in all for mesh and fabric", comm_.size(),
+                          static_cast<double>(bytes[0]) / 1e6));
+    log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us",
+                          simulation.time_step() * 1e9, scene_.time.end / simulation.time_step(),
+                          scene_.time.end * 1e6));
     for (const auto& phrase : inactive_features(scene_, comm_.size())) log_.info("  left out      " + phrase);
     for (const auto& phrase : warnings(scene_, panel, simulation.time_step())) log_.warn(phrase);
     tell_lack_of_shared_memory(simulation);
@@ -149,7 +157,9 @@ void RunReport::start(const solver::Simulation& simulation) {
 void RunReport::tell_lack_of_shared_memory(const solver::Simulation& simulation) {
     if (!comm_.any(simulation.lacks_shared_memory()) || is_lack_told_) return;
     is_lack_told_ = true;
-    log_.warn("ranks of one host send messages, which takes longer: /dev/shm has no room for the memory that they would share");
+    log_.warn(
+        "ranks of one host send messages, which takes longer: /dev/shm has no room for the memory that they "
+        "would share");
 }
 
 std::string RunReport::projectile_text(const solver::Simulation& simulation) {
@@ -158,15 +168,18 @@ std::string RunReport::projectile_text(const solver::Simulation& simulation) {
 }
 
 void RunReport::rebalanced(const solver::Simulation& simulation, const solver::Rebalancing& rebalancing) {
-    log_.info(fmt::format("  rebalanced    at t = {:.6g} us: the slowest rank took {:.0f} % more than the mean, {:.0f} % are predicted now",
-                          simulation.time() * 1e6, (rebalancing.measured - 1) * 100, (rebalancing.predicted - 1) * 100));
+    log_.info(fmt::format(
+        "  rebalanced    at t = {:.6g} us: the slowest rank took {:.0f} % more than the mean, {:.0f} % are "
+        "predicted now",
+        simulation.time() * 1e6, (rebalancing.measured - 1) * 100, (rebalancing.predicted - 1) * 100));
 }
 
 void RunReport::never_rebalanced(double worst) {
-    const auto reason = comm_.size() == 1 ? std::string("a single rank has nobody to share with")
-                        : worst == 0      ? fmt::format("fewer than {} steps", solver::LoadWatch::window)
-                                          : fmt::format("in {} steps the slowest rank took at most {:.0f} % more than the mean",
-                                                        solver::LoadWatch::window, (worst - 1) * 100);
+    const auto reason =
+        comm_.size() == 1 ? std::string("a single rank has nobody to share with")
+        : worst == 0      ? fmt::format("fewer than {} steps", solver::LoadWatch::window)
+                     : fmt::format("in {} steps the slowest rank took at most {:.0f} % more than the mean",
+                                   solver::LoadWatch::window, (worst - 1) * 100);
     log_.info("  rebalanced    never: " + reason);
 }
 
@@ -203,25 +216,30 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     summary.first_break = first_breaks(simulation.counts(), comm_);
     summary.left_out = inactive_features(scene_, comm_.size());
 
-    log_.info(fmt::format("{}{} at t = {:.6g} us after {} steps: {}", static_cast<char>(std::toupper(summary.status[0])),
-                          summary.status.substr(1), summary.time * 1e6, summary.steps, summary.reason));
-    if (summary.outcome) log_.info("  outcome       " + outcome_text(*summary.outcome, simulation.panel().plies.size()));
+    log_.info(fmt::format("{}{} at t = {:.6g} us after {} steps: {}",
+                          static_cast<char>(std::toupper(summary.status[0])), summary.status.substr(1),
+                          summary.time * 1e6, summary.steps, summary.reason));
+    if (summary.outcome)
+        log_.info("  outcome       " + outcome_text(*summary.outcome, simulation.panel().plies.size()));
     if (summary.residual_velocity)
-        log_.info(fmt::format("  projectile    {:.2f} m/s along z; largest displacement {:.3f} mm, of the back face {:.3f} mm",
-                              *summary.residual_velocity, summary.max_displacement * 1e3, summary.back_face_deflection * 1e3));
+        log_.info(fmt::format(
+            "  projectile    {:.2f} m/s along z; largest displacement {:.3f} mm, of the back face {:.3f} mm",
+            *summary.residual_velocity, summary.max_displacement * 1e3, summary.back_face_deflection * 1e3));
+    log_.info(fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded",
+                          last.broken_yarns, last.eroded_elements));
     log_.info(
-        fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded", last.broken_yarns, last.eroded_elements));
-    log_.info(fmt::format(
-        "  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; fabric {:.3g} J, hourglass {:.3g} J, contact "
-        "{:.3g} J",
-        simulation.counts().largest_closure_error * 100, last.transferred_energy, last.internal, last.hourglass, last.contact));
+        fmt::format("  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; "
+                    "fabric {:.3g} J, hourglass {:.3g} J, contact "
+                    "{:.3g} J",
+                    simulation.counts().largest_closure_error * 100, last.transferred_energy, last.internal,
+                    last.hourglass, last.contact));
     for (const auto& warning : closing_warnings(scene_, simulation, last)) log_.warn(warning);
     tell_lack_of_shared_memory(simulation);
     for (const auto& phase : summary.wall_seconds)
-        log_.info(fmt::format("  {:<13} {:.2f} / {:.2f} / {:.2f} s (least, mean, most over the ranks)", phase.name, phase.min, phase.mean,
-                              phase.max));
-    log_.info(fmt::format("  cost          {} in all, {:.1f} ns per element-step and core", io::duration_text(seconds_since(begin_)),
-                          summary.nanoseconds_per_element_step));
+        log_.info(fmt::format("  {:<13} {:.2f} / {:.2f} / {:.2f} s (least, mean, most over the ranks)",
+                              phase.name, phase.min, phase.mean, phase.max));
+    log_.info(fmt::format("  cost          {} in all, {:.1f} ns per element-step and core",
+                          io::duration_text(seconds_since(begin_)), summary.nanoseconds_per_element_step));
     log_.info("  results       " + directory.string());
     io::write_summary(directory / "summary.json", summary, comm_);
     record_end();

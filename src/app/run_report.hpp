@@ -41,8 +41,8 @@ class RunReport {
     void never_rebalanced(double worst);
 
     /// The closing lines and summary.json. @param history_hash on rank 0 @note Collective
-    void finish(solver::Simulation& simulation, const solver::Balance& last, const Ending& ending, const std::filesystem::path& directory,
-                const std::string& history_hash);
+    void finish(solver::Simulation& simulation, const solver::Balance& last, const Ending& ending,
+                const std::filesystem::path& directory, const std::string& history_hash);
 
     /// The last line of run.log: when the run has ended. `finish` ends with it.
     void record_end();

@@ -6,10 +6,12 @@
 
 namespace weavefront::app {
 
-/// From now on a write beyond a limit of file size, or to a reader that has gone, fails instead of ending the program.
+/// From now on a write beyond a limit of file size, or to a reader that has gone, fails instead of ending the
+/// program.
 void ignore_failed_writes();
 
-/// From now on SIGTERM, SIGINT, SIGUSR1 and SIGUSR2 are noted instead of ending the program; a second SIGINT ends it at once.
+/// From now on SIGTERM, SIGINT, SIGUSR1 and SIGUSR2 are noted instead of ending the program; a second SIGINT
+/// ends it at once.
 void note_signals();
 
 /// The first signal that was noted; 0: none.

@@ -32,8 +32,9 @@ struct Options {
     bool no_picture = false;
 };
 
-void write_results(const scene::Study& study, const std::vector<StudyEntry>& entries, const study::Columns& measured,
-                   const Options& options, const std::optional<study::TextTable>& before, io::Log& log) {
+void write_results(const scene::Study& study, const std::vector<StudyEntry>& entries,
+                   const study::Columns& measured, const Options& options,
+                   const std::optional<study::TextTable>& before, io::Log& log) {
     const std::vector<StudyRow> rows = measure_study(study, entries, options.output, measured);
     write_study_files(study, entries, rows, options.output);
     report_study(study, entries, rows, log);
@@ -47,12 +48,14 @@ bool compute(const Options& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     require_one_job(comm.size());
-    const scene::Study study = scene::parse_study(shared_text(options.study, comm), options.study.string(), vocabulary);
+    const scene::Study study =
+        scene::parse_study(shared_text(options.study, comm), options.study.string(), vocabulary);
     const std::vector<StudyEntry> entries = study_entries(study, shared_text(study.scene, comm));
     // Found at fault now rather than when everything has been computed.
     study::Columns measured;
     if (study.reference.kind == scene::Reference::Kind::file)
-        measured = read_measured(study, entries, shared_text(study.reference.file, comm, scene::most_of_table));
+        measured =
+            read_measured(study, entries, shared_text(study.reference.file, comm, scene::most_of_table));
     std::optional<study::TextTable> before;
     if (!options.check.empty()) before = table_of_before(study, entries, options.check, comm);
     const io::OutputDirectory kept(options.output, comm, io::Earlier::kept);
@@ -73,22 +76,27 @@ void study(Options options) {
         // Studies are called study.yaml in a folder that says of what.
         std::error_code unknown;
         const std::filesystem::path whole = std::filesystem::absolute(options.study, unknown);
-        options.output = std::filesystem::path("runs") / (whole.stem() == "study" ? whole.parent_path().filename() : whole.stem());
+        options.output = std::filesystem::path("runs") /
+                         (whole.stem() == "study" ? whole.parent_path().filename() : whole.stem());
     }
-    if (compute(options) && !options.no_picture) run_at_end([folder = options.output] { draw_study(folder); });
+    if (compute(options) && !options.no_picture)
+        run_at_end([folder = options.output] { draw_study(folder); });
 }
 
 }  // namespace
 
 void add_study(CLI::App& app) {
-    auto* command = app.add_subcommand("study", "Compute variants of a scene and their errors: mpirun -n N weavefront study STUDY");
+    auto* command = app.add_subcommand(
+        "study", "Compute variants of a scene and their errors: mpirun -n N weavefront study STUDY");
     auto options = std::make_shared<Options>();
     command->add_option("STUDY", options->study, "Study file (YAML)")->required();
     command->add_option("--output", options->output,
-                        "Folder for study.csv, study.json, study.png and one folder a variant (default: runs/<study name>); variants that "
+                        "Folder for study.csv, study.json, study.png and one folder a variant (default: "
+                        "runs/<study name>); variants that "
                         "it holds already are not computed again");
     command->add_option("--check", options->check,
-                        "A study.csv of before: status 1 when a quantity is off by more than its tolerance in the study file");
+                        "A study.csv of before: status 1 when a quantity is off by more than its tolerance "
+                        "in the study file");
     command->add_flag("--no-picture", options->no_picture, "Do not have weavefront-plot draw study.png");
     command->callback([options] { study(*options); });
 }

@@ -18,14 +18,16 @@ constexpr std::array<std::string_view, 1> later_subcommands{"v50"};
 constexpr std::array<std::string_view, 1> later_options{"--restart"};
 
 template <typename Later>
-void refuse_unless_known(std::string_view kind, const std::string& word, const std::vector<std::string>& known, const Later& later) {
+void refuse_unless_known(std::string_view kind, const std::string& word,
+                         const std::vector<std::string>& known, const Later& later) {
     if (std::ranges::find(known, word) != known.end()) return;
     if (std::ranges::find(later, word) != later.end()) {
         throw scene::InputError({fmt::format("{} '{}': not available in this version", kind, word)});
     }
     const std::string hint = scene::nearest(word, known);
     const std::string question = hint.empty() ? "" : fmt::format(", did you mean '{}'?", hint);
-    throw scene::InputError({fmt::format("{} '{}': unknown, allowed {}{}", kind, word, fmt::join(known, ", "), question)});
+    throw scene::InputError(
+        {fmt::format("{} '{}': unknown, allowed {}{}", kind, word, fmt::join(known, ", "), question)});
 }
 
 std::vector<std::string> long_options(const CLI::App& app) {
@@ -46,7 +48,8 @@ void refuse_unknown(const CLI::App& app, std::span<const std::string> arguments)
     for (const std::string& argument : arguments) {
         if (argument == "--") return;
         if (argument.starts_with("--")) {
-            refuse_unless_known("option", argument.substr(0, argument.find('=')), long_options(*scope), later_options);
+            refuse_unless_known("option", argument.substr(0, argument.find('=')), long_options(*scope),
+                                later_options);
         } else if (scope == &app && !argument.starts_with('-')) {
             refuse_unless_known("subcommand", argument, subcommands, later_subcommands);
             scope = app.get_subcommand(argument);

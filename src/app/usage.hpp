@@ -8,7 +8,8 @@
 
 namespace weavefront::app {
 
-/// Refuses a subcommand or a long option that does not exist, naming the nearest one, or the version that lacks it.
+/// Refuses a subcommand or a long option that does not exist, naming the nearest one, or the version that
+/// lacks it.
 /// @param app       with its subcommands
 /// @param arguments of the command line, without the name of the program
 /// @throws scene::InputError

@@ -41,17 +41,19 @@ struct Sampling {
 // A curve of so many steps takes some seconds.
 constexpr double most_steps = 1e8;
 
-/// eps = eps_a + eps_b, so a yarn breaks before both parts have reached their limits together, if nothing else.
+/// eps = eps_a + eps_b, so a yarn breaks before both parts have reached their limits together, if nothing
+/// else.
 Sampling sampling(const scene::Fabric& fabric) {
     if (!fabric.failure) return {unbroken_strain / 50000, 50000};
     const double smallest = std::min(fabric.failure->static_strain, fabric.failure->hooke_strain);
     const double largest = fabric.failure->static_strain + fabric.failure->hooke_strain;
     const double increment = 2e-5 * smallest, steps = std::ceil(largest / increment) + 1;
     if (!(steps <= most_steps))
-        throw scene::InputError(
-            {fmt::format("fabric {}: found failure strains (static_strain, hooke_strain) of {:.4g} and {:.4g}, which take {:.3g} steps to "
-                         "tell apart, allowed {:.3g}",
-                         fabric.name, fabric.failure->static_strain, fabric.failure->hooke_strain, steps, most_steps)});
+        throw scene::InputError({fmt::format(
+            "fabric {}: found failure strains (static_strain, hooke_strain) of {:.4g} and {:.4g}, which take "
+            "{:.3g} steps to "
+            "tell apart, allowed {:.3g}",
+            fabric.name, fabric.failure->static_strain, fabric.failure->hooke_strain, steps, most_steps)});
     return {increment, static_cast<std::int64_t>(steps)};
 }
 
@@ -69,12 +71,14 @@ void follow(double rate, const fabric::Constants& c, const Sampling& sample, Not
     double sigma = 0;
     for (std::int64_t i = 1; i <= sample.steps; ++i) {
         const double eps = static_cast<double>(i) * sample.increment;
-        const double before = c.length * (1 + static_cast<double>(i - 1) * sample.increment), length = c.length * (1 + eps);
+        const double before = c.length * (1 + static_cast<double>(i - 1) * sample.increment),
+                     length = c.length * (1 + eps);
         sigma = fabric::axial_law<F>(c, step, sigma, before, 1.0).stress(length);
         int failure = 0;
         if constexpr (F.failure) {
             const fabric::FailureIndex<double> index = fabric::failure_index(c, eps, sigma);
-            if (std::max(index.primary, index.secondary) > 1) failure = index.primary > index.secondary ? 19 : 20;
+            if (std::max(index.primary, index.secondary) > 1)
+                failure = index.primary > index.secondary ? 19 : 20;
         }
         note(Point{i, eps, sigma, failure});
         if (failure != 0) return;
@@ -87,12 +91,15 @@ void strain_at(double rate, const fabric::Constants& c, const Sampling& sample, 
     std::int64_t last = 0;
     follow<F>(rate, c, sample, [&](const Point& point) { last = point.step; });
     const std::int64_t usual = (sample.steps + rows_per_rate - 3) / (rows_per_rate - 2);
-    const std::int64_t stride = std::clamp<std::int64_t>(last / least_rows, 1, usual);  // a yarn may break far below what none exceeds
+    const std::int64_t stride = std::clamp<std::int64_t>(
+        last / least_rows, 1, usual);  // a yarn may break far below what none exceeds
     const std::string cause = fmt::format("--rates {}", rate);
     table.add(std::array{rate, 0.0, 0.0, 0.0, 0.0});
     follow<F>(rate, c, sample, [&](const Point& point) {
         if (point.step % stride == 0 || point.step == last)
-            table.add(std::array{rate, point.strain / rate, point.strain, point.stress, static_cast<double>(point.failure)}, cause);
+            table.add(std::array{rate, point.strain / rate, point.strain, point.stress,
+                                 static_cast<double>(point.failure)},
+                      cause);
     });
 }
 
@@ -102,7 +109,9 @@ std::vector<double> read_rates(const std::string& list) {
     for (const std::string& text : items_of(list)) {
         const auto rate = scene::finite_number(text);
         if (!rate || !(*rate > 0))
-            faults.add(fmt::format("--rates: found '{}', allowed positive strain rates in 1/s, such as 1,10,100", scene::printable(text)));
+            faults.add(
+                fmt::format("--rates: found '{}', allowed positive strain rates in 1/s, such as 1,10,100",
+                            scene::printable(text)));
         rates.push_back(rate.value_or(0));
     }
     faults.raise();
@@ -129,13 +138,15 @@ void yarn(const Options& options) {
 }  // namespace
 
 void add_yarn(CLI::App& app) {
-    auto* command = app.add_subcommand("yarn", "Stress-strain curves of one yarn at constant strain rates, up to its failure");
+    auto* command = app.add_subcommand(
+        "yarn", "Stress-strain curves of one yarn at constant strain rates, up to its failure");
     auto options = std::make_shared<Options>();
     command->add_option("SCENE", options->scene, "Scene file (YAML); only its fabrics are read")->required();
     command->add_option("--rates", options->rates, "Strain rates in 1/s, separated by commas")->required();
     command
         ->add_option("--out", options->out,
-                     "CSV to write: rate,time,strain,stress,failure; failure is 0, 19 or 20, the equation of the paper that was met; "
+                     "CSV to write: rate,time,strain,stress,failure; failure is 0, 19 or 20, the equation of "
+                     "the paper that was met; "
                      "a fabric without failure is strained to 5 %")
         ->required();
     command->add_option("--fabric", options->fabric, "Name of the fabric, where the scene has several");

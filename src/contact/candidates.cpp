@@ -19,12 +19,15 @@ class Bins {
         ny_ = count(all_.y_high - all_.y_low);
         first_.assign(static_cast<std::size_t>(nx_ * ny_) + 1, 0);
         for (const auto f : facets)
-            visit(range(footprints[static_cast<std::size_t>(f)], 0), [&](auto i, auto j) { ++first_[index(i, j)]; });
+            visit(range(footprints[static_cast<std::size_t>(f)], 0),
+                  [&](auto i, auto j) { ++first_[index(i, j)]; });
         std::partial_sum(first_.begin(), first_.end(), first_.begin());
         listed_.resize(static_cast<std::size_t>(first_.back()));
         for (const auto f : facets | std::views::reverse) {
             const auto own = range(footprints[static_cast<std::size_t>(f)], 0);
-            visit(own, [&](auto i, auto j) { listed_[static_cast<std::size_t>(--first_[index(i, j)])] = {f, i == own.i0, j == own.j0}; });
+            visit(own, [&](auto i, auto j) {
+                listed_[static_cast<std::size_t>(--first_[index(i, j)])] = {f, i == own.i0, j == own.j0};
+            });
         }
     }
 
@@ -58,9 +61,13 @@ class Bins {
         for (auto j = range.j0; j <= range.j1; ++j)
             for (auto i = range.i0; i <= range.i1; ++i) use(i, j);
     }
-    [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const { return static_cast<std::size_t>(j * nx_ + i); }
+    [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const {
+        return static_cast<std::size_t>(j * nx_ + i);
+    }
     // Fragments can fly far: past 4096 bins a side the last bin takes the rest.
-    [[nodiscard]] std::int64_t count(double extent) const { return static_cast<std::int64_t>(std::clamp(extent / size_, 0.0, 4095.0)) + 1; }
+    [[nodiscard]] std::int64_t count(double extent) const {
+        return static_cast<std::int64_t>(std::clamp(extent / size_, 0.0, 4095.0)) + 1;
+    }
     [[nodiscard]] std::int64_t along(double offset, std::int64_t n) const {
         return static_cast<std::int64_t>(std::clamp(offset / size_, 0.0, static_cast<double>(n - 1)));
     }
@@ -100,20 +107,25 @@ Candidates find_candidates(const Surface& surface, const SweptBounds& swept, dou
     std::vector<std::int32_t> found;
     const auto id = [&](std::int32_t f) { return surface.facets[static_cast<std::size_t>(f)].id; };
     const auto by_id = [&](std::int32_t a, std::int32_t b) {
-        const bool same_side = (a < surface.owned) == (b < surface.owned);  // where local order is that of the ids
+        const bool same_side =
+            (a < surface.owned) == (b < surface.owned);  // where local order is that of the ids
         return same_side ? a < b : id(a) < id(b);
     };
-    const auto on_free_edge = [&](std::int32_t f) { return surface.on_free_edge[static_cast<std::size_t>(f)] != 0; };
+    const auto on_free_edge = [&](std::int32_t f) {
+        return surface.on_free_edge[static_cast<std::size_t>(f)] != 0;
+    };
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
         const auto& footprint = footprints[static_cast<std::size_t>(f)];
         bool look_behind = surface.alive[static_cast<std::size_t>(f)] != 0;
-        for (auto ply = static_cast<std::size_t>(facet.ply) + 1; ply < surface.plies.size() && look_behind; ++ply) {
+        for (auto ply = static_cast<std::size_t>(facet.ply) + 1; ply < surface.plies.size() && look_behind;
+             ++ply) {
             found.clear();
             bins[ply].find(footprint, reach, [&](std::int32_t other) { found.push_back(other); });
             std::ranges::sort(found, by_id);
             for (const auto other : found) candidates.add(other);
-            look_behind = !surface.on_free_edge.empty() && (found.empty() || std::ranges::any_of(found, on_free_edge));
+            look_behind =
+                !surface.on_free_edge.empty() && (found.empty() || std::ranges::any_of(found, on_free_edge));
         }
         candidates.end_list();
     }

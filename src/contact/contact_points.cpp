@@ -12,38 +12,46 @@ double largest(double a, double b) { return a > b ? a : b; }
 
 }  // namespace
 
-ContactPoints::ContactPoints(const QuadratureRule& rule, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned)
+ContactPoints::ContactPoints(const QuadratureRule& rule, const std::array<Vec3, 4>& corners,
+                             const std::array<Vec3, 4>& spanned)
     : batches_(rule.size()), box_(Box::around(spanned)) {
     for (std::size_t k = 0; k < batches_; ++k) points_[k] = interpolate(corners, rule[k].N);
 }
 
-// The other facet is x = c + xi t1 + eta t2 + xi eta t3. With n = t1 x t2, E1 = t2 x n, E2 = n x t1 and q = n.n its points keep to
-// |n.(x - c)| <= |n.t3| and, for a = E1.(x - c)/q, to |a| <= 1 + |E1.t3|/q; likewise b with E2. What a point lies beyond these bounds is
-// one distance along n and one across it. Over a facet that is warped as this one is,
+// The other facet is x = c + xi t1 + eta t2 + xi eta t3. With n = t1 x t2, E1 = t2 x n, E2 = n x t1 and q =
+// n.n its points keep to |n.(x - c)| <= |n.t3| and, for a = E1.(x - c)/q, to |a| <= 1 + |E1.t3|/q; likewise b
+// with E2. What a point lies beyond these bounds is one distance along n and one across it. Over a facet that
+// is warped as this one is,
 //     F(x) = n.(x - c) - (n.t3) a b
-// hardly varies: on the facet itself by |n.t3| (|E1.t3|/q + |E2.t3|/q + |E1.t3||E2.t3|/q^2) at the most. A point where |F| is larger by D
-// is at least D over the largest gradient of F away; its square is q (1 + s^2), s^2 <= 2 (n.t3)^2 (a^2 |t1|^2 + b^2 |t2|^2)/q^2, with the
-// larger of |a| and |b| at the two ends.
+// hardly varies: on the facet itself by |n.t3| (|E1.t3|/q + |E2.t3|/q + |E1.t3||E2.t3|/q^2) at the most. A
+// point where |F| is larger by D is at least D over the largest gradient of F away; its square is q (1 +
+// s^2), s^2 <= 2 (n.t3)^2 (a^2 |t1|^2 + b^2 |t2|^2)/q^2, with the larger of |a| and |b| at the two ends.
 double ContactPoints::min_distance(const std::array<Vec3, 4>& c) const {
-    const Vec3 middle = (c[0] + c[1] + c[2] + c[3]) / 4, t1 = (c[1] + c[2] - c[0] - c[3]) / 4, t2 = (c[2] + c[3] - c[0] - c[1]) / 4,
-               t3 = (c[0] + c[2] - c[1] - c[3]) / 4, n = t1.cross(t2), E1 = t2.cross(n), E2 = n.cross(t1);
+    const Vec3 middle = (c[0] + c[1] + c[2] + c[3]) / 4, t1 = (c[1] + c[2] - c[0] - c[3]) / 4,
+               t2 = (c[2] + c[3] - c[0] - c[1]) / 4, t3 = (c[0] + c[2] - c[1] - c[3]) / 4, n = t1.cross(t2),
+               E1 = t2.cross(n), E2 = n.cross(t1);
     const double q = n.squaredNorm(), square1 = t1.squaredNorm(), square2 = t2.squaredNorm();
     if (!(q > 0)) return min_distance(NodeBox(Box::around(c)));
     const double inverse = 1 / q, inverse1 = 1 / square1, inverse2 = 1 / square2;
-    const double twist = n.dot(t3), warp = std::abs(twist), skew1 = std::abs(E1.dot(t3)) * inverse, skew2 = std::abs(E2.dot(t3)) * inverse;
+    const double twist = n.dot(t3), warp = std::abs(twist), skew1 = std::abs(E1.dot(t3)) * inverse,
+                 skew2 = std::abs(E2.dot(t3)) * inverse;
     const double uneven = warp * (skew1 + skew2 + skew1 * skew2), steep = 2 * warp * warp * inverse * inverse;
     Lanes squares;
     std::fill_n(squares.of, batch_width, std::numeric_limits<double>::max());
     for (std::size_t k = 0; k < batches_; ++k)
         for (std::size_t i = 0; i < batch_width; ++i) {
-            const double x = points_[k].x[i] - middle.x(), y = points_[k].y[i] - middle.y(), z = points_[k].z[i] - middle.z();
+            const double x = points_[k].x[i] - middle.x(), y = points_[k].y[i] - middle.y(),
+                         z = points_[k].z[i] - middle.z();
             const double height = n.x() * x + n.y() * y + n.z() * z;
-            const double a = (E1.x() * x + E1.y() * y + E1.z() * z) * inverse, b = (E2.x() * x + E2.y() * y + E2.z() * z) * inverse;
+            const double a = (E1.x() * x + E1.y() * y + E1.z() * z) * inverse,
+                         b = (E2.x() * x + E2.y() * y + E2.z() * z) * inverse;
             const double a_most = largest(std::abs(a), 1 + skew1), b_most = largest(std::abs(b), 1 + skew2);
             const double beyond1 = a_most - 1 - skew1, beyond2 = b_most - 1 - skew2;
             const double beside = largest(beyond1 * beyond1 * inverse2, beyond2 * beyond2 * inverse1) * q;
-            const double above = largest(std::abs(height) - warp, 0), level = largest(std::abs(height - twist * a * b) - uneven, 0);
-            const double gentle = largest(1 - steep * (a_most * a_most * square1 + b_most * b_most * square2), 0);  // <= 1/(1 + s^2)
+            const double above = largest(std::abs(height) - warp, 0),
+                         level = largest(std::abs(height - twist * a * b) - uneven, 0);
+            const double gentle = largest(1 - steep * (a_most * a_most * square1 + b_most * b_most * square2),
+                                          0);  // <= 1/(1 + s^2)
             const double square = largest(above * above * inverse + beside, level * level * inverse * gentle);
             squares[i] = square < squares[i] ? square : squares[i];
         }

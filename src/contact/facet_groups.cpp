@@ -11,7 +11,8 @@ constexpr std::size_t most_facets = 16;
 
 }  // namespace
 
-void FacetGroups::group(const Surface& surface, std::span<const Vec3> x, std::int32_t first, std::int32_t end) {
+void FacetGroups::group(const Surface& surface, std::span<const Vec3> x, std::int32_t first,
+                        std::int32_t end) {
     while (!facets_.empty() && first_.size() > 1 && first_.back() > first) {
         first_.pop_back();
         first_node_.pop_back();
@@ -24,16 +25,19 @@ void FacetGroups::group(const Surface& surface, std::span<const Vec3> x, std::in
     std::ranges::stable_sort(facets, {}, ply_of);
     std::vector<Vec3> centres(static_cast<std::size_t>(end));
     for (const auto f : facets)
-        centres[static_cast<std::size_t>(f)] = centre_of(corners_of(surface.facets[static_cast<std::size_t>(f)].nodes, x));
+        centres[static_cast<std::size_t>(f)] =
+            centre_of(corners_of(surface.facets[static_cast<std::size_t>(f)].nodes, x));
     for (auto ply = facets.begin(); ply != facets.end();) {
-        const auto next = std::find_if(ply, facets.end(), [&](std::int32_t f) { return ply_of(f) != ply_of(*ply); });
+        const auto next =
+            std::find_if(ply, facets.end(), [&](std::int32_t f) { return ply_of(f) != ply_of(*ply); });
         split(surface, centres, {ply, next});
         ply = next;
     }
     nodes_.shrink_to_fit();
 }
 
-void FacetGroups::split(const Surface& surface, const std::vector<Vec3>& centres, std::span<std::int32_t> facets) {
+void FacetGroups::split(const Surface& surface, const std::vector<Vec3>& centres,
+                        std::span<std::int32_t> facets) {
     const auto centre = [&](std::int32_t f) -> const Vec3& { return centres[static_cast<std::size_t>(f)]; };
     if (facets.size() > most_facets) {
         Vec3 low = centre(facets[0]), high = low;

@@ -2,8 +2,8 @@
 
 namespace weavefront::contact {
 
-FrameContact::FrameContact(const scene::Frame& frame, const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
-                           std::span<const Vec3> x)
+FrameContact::FrameContact(const scene::Frame& frame, const scene::ContactLaw& law,
+                           std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
     : quadrature_(spacing), rules_(rules_for(quadrature_, surface, x)), memories_(surface.owned) {
     const auto& last = surface.plies.back();
     for (const auto& ply : surface.plies) {
@@ -12,8 +12,8 @@ FrameContact::FrameContact(const scene::Frame& frame, const scene::ContactLaw& l
     }
 }
 
-void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                            double sliding_share, ContactForces& forces) {
+void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
+                            std::span<const Vec3> v, double dt, double sliding_share, ContactForces& forces) {
     for (std::int32_t index = 0; index < surface.owned; ++index) {
         const auto f = static_cast<std::size_t>(index);
         const auto& facet = surface.facets[f];
@@ -24,9 +24,16 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
             continue;
         }
         const auto ply = static_cast<std::size_t>(facet.ply);
-        const RigidPair pair{facet,         surface.areas[f], quadrature_.rule(rules_[f]), laws_[ply], surface.plies[ply].thickness,
-                             Master::frame, {0, 0, -1}};
-        const auto of_ply = [&] { return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x); };
+        const RigidPair pair{facet,
+                             surface.areas[f],
+                             quadrature_.rule(rules_[f]),
+                             laws_[ply],
+                             surface.plies[ply].thickness,
+                             Master::frame,
+                             {0, 0, -1}};
+        const auto of_ply = [&] {
+            return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x);
+        };
         const auto depth = [&](const Vec3& at, const Point&) { return shape.depth(at); };
         press(pair, x, v, dt, sliding_share, memories_.take(index), depth, of_ply, forces);
     }

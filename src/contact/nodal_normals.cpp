@@ -6,16 +6,19 @@
 namespace weavefront::contact {
 
 void NodalNormals::rebuild(const Surface& surface, std::size_t nodes) {
-    std::vector<std::int32_t> next(nodes + 1, 0);  // while they are sorted in: where each node's begin, and then end
+    std::vector<std::int32_t> next(nodes + 1,
+                                   0);  // while they are sorted in: where each node's begin, and then end
     for (const auto& facet : surface.facets)
         for (const auto node : facet.nodes) ++next[static_cast<std::size_t>(node) + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
     std::vector<std::int32_t> around(static_cast<std::size_t>(next.back()));
     for (std::size_t f = 0; f < surface.facets.size(); ++f)
         for (const auto node : surface.facets[f].nodes)
-            around[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = static_cast<std::int32_t>(f);
+            around[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] =
+                static_cast<std::int32_t>(f);
     const auto by_id = [&](std::int32_t a, std::int32_t b) {
-        return surface.facets[static_cast<std::size_t>(a)].id < surface.facets[static_cast<std::size_t>(b)].id;
+        return surface.facets[static_cast<std::size_t>(a)].id <
+               surface.facets[static_cast<std::size_t>(b)].id;
     };
     around_ = {};
     around_.reserve(nodes);
@@ -39,10 +42,13 @@ Vec3 NodalNormals::at(std::int32_t node, const Surface& surface, std::span<const
     for (const auto facet : around_.of(node)) {
         const auto f = static_cast<std::size_t>(facet);
         if (!surface.alive[f]) continue;
-        const auto corner = [&](std::size_t a) -> const Vec3& { return x[static_cast<std::size_t>(surface.facets[f].nodes[a])]; };
+        const auto corner = [&](std::size_t a) -> const Vec3& {
+            return x[static_cast<std::size_t>(surface.facets[f].nodes[a])];
+        };
         sum += (corner(2) - corner(0)).cross(corner(3) - corner(1)) / 2;
     }
-    // Add the mirror image of the facets around a node on a plane of symmetry; such a node is held in the plane, at exactly 0.
+    // Add the mirror image of the facets around a node on a plane of symmetry; such a node is held in the
+    // plane, at exactly 0.
     for (int d = 0; d < 2; ++d)
         if (surface.symmetry[static_cast<std::size_t>(d)] && x[n][d] == 0) {
             sum *= 2;

@@ -8,7 +8,8 @@ namespace weavefront::contact {
 
 namespace {
 
-Rays rays_of(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals, const QuadratureBatch& points) {
+Rays rays_of(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals,
+             const QuadratureBatch& points) {
     const auto n = interpolate(normals, points.N);
     Rays rays{.origin = interpolate(corners, points.N), .direction = n};
     for (std::size_t i = 0; i < batch_width; ++i) {
@@ -32,14 +33,18 @@ struct Extent {
             high[i] = behind < before ? before : behind;
         }
     }
-    [[nodiscard]] double lowest() const { return Eigen::Map<const Eigen::Array<double, batch_width, 1>>(low.of).minCoeff(); }
-    [[nodiscard]] double highest() const { return Eigen::Map<const Eigen::Array<double, batch_width, 1>>(high.of).maxCoeff(); }
+    [[nodiscard]] double lowest() const {
+        return Eigen::Map<const Eigen::Array<double, batch_width, 1>>(low.of).minCoeff();
+    }
+    [[nodiscard]] double highest() const {
+        return Eigen::Map<const Eigen::Array<double, batch_width, 1>>(high.of).maxCoeff();
+    }
 };
 
 }  // namespace
 
-NormalRays::NormalRays(const QuadratureRule& rule, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals, double back,
-                       double ahead)
+NormalRays::NormalRays(const QuadratureRule& rule, const std::array<Vec3, 4>& corners,
+                       const std::array<Vec3, 4>& normals, double back, double ahead)
     : batch_count_(rule.size()), back_(back), ahead_(ahead) {
     for (std::size_t b = 0; b < batch_count_; ++b) batches[b] = rays_of(corners, normals, rule[b]);
 }
@@ -50,7 +55,8 @@ bool NormalRays::may_reach(const Box& box) {
         const double behind = from[0] - back_ * along[0], before = from[0] + ahead_ * along[0];
         return low <= std::max(behind, before) && high >= std::min(behind, before);
     };
-    if (meets_one(origin.x, direction.x, box.low.x(), box.high.x()) && meets_one(origin.y, direction.y, box.low.y(), box.high.y()) &&
+    if (meets_one(origin.x, direction.x, box.low.x(), box.high.x()) &&
+        meets_one(origin.y, direction.y, box.low.y(), box.high.y()) &&
         meets_one(origin.z, direction.z, box.low.z(), box.high.z()))
         return true;
     if (!stretch_) stretch_ = stretch();
@@ -58,7 +64,8 @@ bool NormalRays::may_reach(const Box& box) {
 }
 
 Box NormalRays::stretch() const {
-    Box box{Vec3::Constant(std::numeric_limits<double>::max()), Vec3::Constant(-std::numeric_limits<double>::max())};
+    Box box{Vec3::Constant(std::numeric_limits<double>::max()),
+            Vec3::Constant(-std::numeric_limits<double>::max())};
     for (std::size_t b = 0; b < batch_count_; ++b) {
         const auto& [origin, direction] = batches[b];
         const Extent x(origin.x, direction.x, back_, ahead_), y(origin.y, direction.y, back_, ahead_),

@@ -10,12 +10,13 @@ namespace weavefront::contact {
 
 namespace {
 
-// Of the touching distance. A facet with less clear than is worth waiting for is evaluated in every step, until others have approached so
-// far that looking again is worth while.
+// Of the touching distance. A facet with less clear than is worth waiting for is evaluated in every step,
+// until others have approached so far that looking again is worth while.
 constexpr double worth_waiting_in_distance = 0.001, look_again_in_distance = 0.015;
 
-// A facet waits for its own candidates rather than for those of its group where the group's last step would use up its clear in fewer steps
-// than this: to follow its own for a step takes about a tenth of the time of a look.
+// A facet waits for its own candidates rather than for those of its group where the group's last step would
+// use up its clear in fewer steps than this: to follow its own for a step takes about a tenth of the time of
+// a look.
 constexpr double own_in_steps = 10;
 
 std::array<Lanes, 4> shape_functions(const RayHits& hits) {
@@ -30,11 +31,13 @@ std::array<Lanes, 4> shape_functions(const RayHits& hits) {
     return N;
 }
 
-// A distance along a line changes by no more than this times the way that one side moves past the other: lines meet facets at up to 60 deg.
+// A distance along a line changes by no more than this times the way that one side moves past the other:
+// lines meet facets at up to 60 deg.
 constexpr double stretch_along_line = 2;
 
 /// How the points have moved towards what their lines meet.
-RelativeMotionLanes relative_motion(const VectorLanes& slave, const VectorLanes& master, const VectorLanes& direction) {
+RelativeMotionLanes relative_motion(const VectorLanes& slave, const VectorLanes& master,
+                                    const VectorLanes& direction) {
     RelativeMotionLanes motion;
     for (std::size_t i = 0; i < batch_width; ++i) {
         const double x = slave.x[i] - master.x[i], y = slave.y[i] - master.y[i], z = slave.z[i] - master.z[i];
@@ -53,7 +56,8 @@ LaneMask all_of(const QuadratureBatch& batch) {
 
 }  // namespace
 
-PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
+PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
+                       std::span<const Vec3> x)
     : distances_(surface.plies),
       quadrature_(spacing, most_points_along_edge),
       relative_motion_(surface, x),
@@ -73,10 +77,12 @@ PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spaci
         for (const double other : densities) laws_.emplace_back(law, one * other / (one + other));
     rules_.reserve(culling_.size());
     for (std::size_t f = 0; f < culling_.size(); ++f)
-        rules_.push_back(static_cast<std::uint8_t>(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x))));
+        rules_.push_back(
+            static_cast<std::uint8_t>(quadrature_.rule_for(corners_of(surface.facets[f].nodes, x))));
 }
 
-void PlyContact::update_candidates(const Surface& surface, const SweptBounds& swept, std::span<const Vec3> x, double skin) {
+void PlyContact::update_candidates(const Surface& surface, const SweptBounds& swept, std::span<const Vec3> x,
+                                   double skin) {
     candidates_ = {};  // before others take room
     candidates_ = find_candidates(surface, swept, distances_.max_penetration() + skin);
     relative_motion_.rebuild(surface, candidates_, x);
@@ -86,8 +92,11 @@ void PlyContact::update_candidates(const Surface& surface, const SweptBounds& sw
             const auto f = relative_motion_.facets(g)[k];
             const auto candidates = candidates_.of(f);
             const auto ply = surface.facets[static_cast<std::size_t>(f)].ply;
-            // Candidates have new slots, and through a hole a facet may meet what it was not known to be clear of.
-            const bool through_hole = !candidates.empty() && surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1;
+            // Candidates have new slots, and through a hole a facet may meet what it was not known to be
+            // clear of.
+            const bool through_hole =
+                !candidates.empty() &&
+                surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1;
             if (state.culled != Culled::by_group || through_hole) state = {};
             state.first = -1;
             state.near = {};
@@ -98,7 +107,9 @@ void PlyContact::update_candidates(const Surface& surface, const SweptBounds& sw
 
 double PlyContact::own_approach(std::int32_t f, const Shortlist& near, const Now& now) const {
     if (near.slots == 0) return 0;
-    const auto box_of = [&](std::int32_t facet) { return NodeBox(now.v, now.surface.facets[static_cast<std::size_t>(facet)].nodes); };
+    const auto box_of = [&](std::int32_t facet) {
+        return NodeBox(now.v, now.surface.facets[static_cast<std::size_t>(facet)].nodes);
+    };
     auto others = NodeBox::none();
     candidates_.of(f).visit_some(near.slots, [&](std::int32_t candidate) {
         others.add(box_of(candidate));
@@ -121,7 +132,8 @@ void PlyContact::recheck(std::int32_t f, CullingState& state, std::int32_t group
     const auto rule = rules_[static_cast<std::size_t>(f)];
     const ContactPoints points(quadrature_.rule(rule), corners, quadrature_.spanned(rule, corners));
     const ClearanceQuery query{facet.ply, points, candidates, now.surface, distances_, now.x};
-    const double accumulated = relative_motion_.accumulated(group), worthwhile = worth_waiting_in_distance * distances_.most();
+    const double accumulated = relative_motion_.accumulated(group),
+                 worthwhile = worth_waiting_in_distance * distances_.most();
     const bool remembers = memory_.holds(f);  // as long as it does it is evaluated
     const double clear = remembers ? 0 : clearance(query, state.first, state.near, accumulated, worthwhile);
     if (clear > own_in_steps * relative_motion_.of_last_step(group)) {
@@ -143,13 +155,14 @@ void PlyContact::recheck(std::int32_t f, CullingState& state, std::int32_t group
     state.until = not_above(accumulated + (state.first < 0 ? again : known));
 }
 
-// A point takes what it meets first in the order of near facets. Nearly always that is the first of all candidates: the others are looked
-// at where some point misses it.
+// A point takes what it meets first in the order of near facets. Nearly always that is the first of all
+// candidates: the others are looked at where some point misses it.
 void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& now, ContactForces& forces) {
     const auto& facet = now.surface.facets[static_cast<std::size_t>(f)];
     const auto& rule = quadrature_.rule(rules_[static_cast<std::size_t>(f)]);
     const auto corners = corners_of(facet.nodes, now.x);
-    NormalRays rays(rule, corners, now.normals.of(facet, now.surface, now.x), distances_.max_penetration(), distances_.most());
+    NormalRays rays(rule, corners, now.normals.of(facet, now.surface, now.x), distances_.max_penetration(),
+                    distances_.most());
     const auto candidates = candidates_.of(f);
     bool complete = first < 0;
     targets_.start(facet, corners);
@@ -177,15 +190,16 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t first, const Now& n
             if (open[i]) points.overlap[i] = points.ignored[i] = points.opened[i] = 0;
     }
     dissipated_budget += slave.sum.dissipated;
-    if (slave.sum.sliding.is_any()) forces.sliding.push_back(slave.sum.sliding.times(now.surface.areas[static_cast<std::size_t>(f)]));
+    if (slave.sum.sliding.is_any())
+        forces.sliding.push_back(slave.sum.sliding.times(now.surface.areas[static_cast<std::size_t>(f)]));
     if (slave.touching)
         memory_.keep(f, slave.points);
     else
         memory_.forget(f);
 }
 
-void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near,
-                       LaneMask& open, const Now& now, ContactForces& forces) {
+void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points,
+                       std::size_t near, LaneMask& open, const Now& now, ContactForces& forces) {
     const auto& facet = now.surface.facets[static_cast<std::size_t>(slave.facet)];
     const auto& other = now.surface.facets[static_cast<std::size_t>(targets_[near])];
     const auto hits = intersect(rays, corners_of(other.nodes, now.x));
@@ -196,20 +210,24 @@ void PlyContact::press(Slave& slave, const QuadratureBatch& batch, const Rays& r
         overlap[i] = reach - hits.distance[i];
         const bool meets = open[i] & hits.hit[i] & (hits.distance[i] >= -depth);
         open[i] = open[i] & !meets;
-        // A point that is already beyond the other mid-surface when first seen went through a hole: it is not pushed back.
+        // A point that is already beyond the other mid-surface when first seen went through a hole: it is not
+        // pushed back.
         met[i] = meets & ((points.overlap[i] != 0) | (overlap[i] <= reach));
         matters[i] = met[i] & ((points.overlap[i] != 0) | (overlap[i] > 0));
     }
     if (!any(matters)) return;
     const auto N = shape_functions(hits);
-    const auto motion =
-        relative_motion(interpolate(slave.velocities, batch.N), interpolate(corners_of(other.nodes, now.v), N), rays.direction);
-    const auto pressure = law(facet.ply, other.ply).advance(points, met, overlap, motion, now.dt, batch.share, slave.around, slave.sum);
+    const auto motion = relative_motion(interpolate(slave.velocities, batch.N),
+                                        interpolate(corners_of(other.nodes, now.v), N), rays.direction);
+    const auto pressure =
+        law(facet.ply, other.ply)
+            .advance(points, met, overlap, motion, now.dt, batch.share, slave.around, slave.sum);
     const double area = now.surface.areas[static_cast<std::size_t>(slave.facet)];
     for (std::size_t i = 0; i < batch_width; ++i) {
         slave.touching = slave.touching || (met[i] && points.overlap[i] > 0);
         if (met[i] && overlap[i] > reach * forces.deepest.in_thicknesses)
-            forces.deepest.include({overlap[i], overlap[i] / reach, Vec3(rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]), facet.id});
+            forces.deepest.include({overlap[i], overlap[i] / reach,
+                                    Vec3(rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]), facet.id});
         if (!(pressure[i] > 0)) continue;
         auto& pair = pair_of_[near];
         if (pair < 0) {
@@ -239,14 +257,16 @@ void PlyContact::evaluate_group(std::int32_t g, const Now& now, ContactForces& f
             evaluate_facet(f, state.first, now, forces);
             if (remembered && !memory_.holds(f)) state.until = 0;  // it may be clear from now on
         }
-        due = std::min(due, state.culled == Culled::by_group ? static_cast<double>(state.until) : accumulated);
+        due =
+            std::min(due, state.culled == Culled::by_group ? static_cast<double>(state.until) : accumulated);
     }
 }
 
-void PlyContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                          double sliding_share, ContactForces& forces) {
+void PlyContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
+                          std::span<const Vec3> v, double dt, double sliding_share, ContactForces& forces) {
     relative_motion_.advance(v, dt);
-    for (std::int32_t g = 0; g < relative_motion_.groups(); ++g) evaluate_group(g, {surface, normals, x, v, dt, sliding_share}, forces);
+    for (std::int32_t g = 0; g < relative_motion_.groups(); ++g)
+        evaluate_group(g, {surface, normals, x, v, dt, sliding_share}, forces);
 }
 
 std::vector<std::int32_t> PlyContact::behind_next_ply(const Surface& surface, std::span<const Vec3> x) const {
@@ -274,7 +294,8 @@ std::vector<std::int32_t> PlyContact::behind_next_ply(const Surface& surface, st
 }
 
 void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {
-    record.insert(record.end(), {dissipated_budgets_[static_cast<std::size_t>(facet)], memory_.holds(facet) ? 1.0 : 0.0});
+    record.insert(record.end(),
+                  {dissipated_budgets_[static_cast<std::size_t>(facet)], memory_.holds(facet) ? 1.0 : 0.0});
     if (!memory_.holds(facet)) return;
     for (const auto& points : memory_.recall(facet))
         for (const auto* lanes : {&points.overlap, &points.ignored, &points.opened})

@@ -38,7 +38,8 @@ Depth ProjectileShape::side_depth(const Vec3& point, double radius) const {
     const double into_rim = std::max({point.z() - (front_ - edge_), (rear_ + edge_) - point.z(), 0.0});
     const double on_arc = radius - (radius_ - edge_);
     if (into_rim == 0 || on_arc <= 0) return {radius_ - radius, radial};
-    const double distance = std::sqrt(into_rim * into_rim + on_arc * on_arc), upwards = point.z() > (front_ + rear_) / 2 ? 1 : -1;
+    const double distance = std::sqrt(into_rim * into_rim + on_arc * on_arc),
+                 upwards = point.z() > (front_ + rear_) / 2 ? 1 : -1;
     return {edge_ - distance, on_arc / distance * radial + Vec3(0, 0, upwards * into_rim / distance)};
 }
 
@@ -52,10 +53,12 @@ std::optional<Depth> ProjectileShape::depth(const Vec3& point, Side& side) const
     const double drop = rim_drop(radius);
     const double below_front = front_ - drop - point.z(), above_rear = point.z() - (rear_ + drop);
     if (below_front <= 0 || above_rear <= 0) {
-        side = below_front <= 0 ? Side::front : Side::rear;  // outside, ahead of this face: this is where it will come in
+        side = below_front <= 0 ? Side::front
+                                : Side::rear;  // outside, ahead of this face: this is where it will come in
         return std::nullopt;
     }
-    const auto front = face_depth(point, radius, below_front, 1), rear = face_depth(point, radius, above_rear, -1);
+    const auto front = face_depth(point, radius, below_front, 1),
+               rear = face_depth(point, radius, above_rear, -1);
     const auto lateral = side_depth(point, radius);
     if (side == Side::none) {
         side = Side::side;

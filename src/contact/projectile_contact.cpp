@@ -8,16 +8,20 @@ namespace weavefront::contact {
 namespace {
 
 /// Whether no point of a box is within a margin of the projectile.
-bool is_apart(const ProjectileShape& shape, const ProjectileState& projectile, const Box& box, double margin) {
-    const Vec3 low(-shape.radius(), -shape.radius(), shape.rear()), high(shape.radius(), shape.radius(), shape.front());
-    const Box around{projectile.position + low - Vec3::Constant(margin), projectile.position + high + Vec3::Constant(margin)};
+bool is_apart(const ProjectileShape& shape, const ProjectileState& projectile, const Box& box,
+              double margin) {
+    const Vec3 low(-shape.radius(), -shape.radius(), shape.rear()),
+        high(shape.radius(), shape.radius(), shape.front());
+    const Box around{projectile.position + low - Vec3::Constant(margin),
+                     projectile.position + high + Vec3::Constant(margin)};
     return !box.meets(around);
 }
 
 }  // namespace
 
-ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
-                                     const Surface& surface, std::span<const Vec3> x)
+ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law,
+                                     std::optional<double> spacing, const Surface& surface,
+                                     std::span<const Vec3> x)
     : quadrature_(spacing), rules_(rules_for(quadrature_, surface, x)), memories_(surface.owned) {
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(projectile, ply.thickness / 2);
@@ -25,7 +29,8 @@ ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const 
     }
 }
 
-void ProjectileContact::update_candidates(const Surface& surface, const SweptBounds& swept, const Footprint& way, double skin) {
+void ProjectileContact::update_candidates(const Surface& surface, const SweptBounds& swept,
+                                          const Footprint& way, double skin) {
     candidates_.clear();
     for (std::int32_t f = 0; f < surface.owned; ++f) {
         const auto& facet = surface.facets[static_cast<std::size_t>(f)];
@@ -33,12 +38,14 @@ void ProjectileContact::update_candidates(const Surface& surface, const SweptBou
             memories_.forget(f);
             continue;
         }
-        if (way.near(swept.of(facet), shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin)) candidates_.push_back(f);
+        if (way.near(swept.of(facet), shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin))
+            candidates_.push_back(f);
     }
 }
 
-void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v,
-                                 const ProjectileState& projectile, double dt, double sliding_share, ContactForces& forces) {
+void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
+                                 std::span<const Vec3> v, const ProjectileState& projectile, double dt,
+                                 double sliding_share, ContactForces& forces) {
     for (const auto f : candidates_) {
         const auto index = static_cast<std::size_t>(f);
         if (!surface.alive[index]) continue;
@@ -55,17 +62,23 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
                              .body = Master::projectile,
                              .away = (box.low + box.high) / 2 - middle,
                              .body_velocity = projectile.velocity};
-        // Near enough for the side on which a point comes in to be noted before it does; before the first step nothing is known of the way.
+        // Near enough for the side on which a point comes in to be noted before it does; before the first
+        // step nothing is known of the way.
         double fastest = 0;
         for (const auto node : facet.nodes)
-            fastest = std::max(fastest, (v[static_cast<std::size_t>(node)] - projectile.velocity).squaredNorm());
+            fastest =
+                std::max(fastest, (v[static_cast<std::size_t>(node)] - projectile.velocity).squaredNorm());
         const double margin = dt > 0 ? 0.01 * shape.radius() + 4 * dt * std::sqrt(fastest) : shape.radius();
         if (is_apart(shape, projectile, box, margin)) {
             forget_points(memories_, f);
             continue;
         }
-        const auto depth = [&](const Vec3& at, Point& point) { return shape.depth(at - projectile.position, point.side); };
-        const auto of_ply = [&] { return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x); };
+        const auto depth = [&](const Vec3& at, Point& point) {
+            return shape.depth(at - projectile.position, point.side);
+        };
+        const auto of_ply = [&] {
+            return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x);
+        };
         press(pair, x, v, dt, sliding_share, memories_.take(f), depth, of_ply, forces);
     }
 }

@@ -11,12 +11,14 @@ double rim_radius(const scene::Projectile& projectile) {
     return projectile.shape == scene::Shape::sphere ? projectile.diameter / 2 : projectile.edge_radius;
 }
 
-double cross_section(const scene::Projectile& projectile) { return std::numbers::pi / 4 * projectile.diameter * projectile.diameter; }
+double cross_section(const scene::Projectile& projectile) {
+    return std::numbers::pi / 4 * projectile.diameter * projectile.diameter;
+}
 
 }  // namespace
 
-ProjectileOnFrame::ProjectileOnFrame(const scene::Projectile& projectile, const scene::Frame& frame, const scene::ContactLaw& law,
-                                     double top)
+ProjectileOnFrame::ProjectileOnFrame(const scene::Projectile& projectile, const scene::Frame& frame,
+                                     const scene::ContactLaw& law, double top)
     : shape_(frame, top, rim_radius(projectile)),
       area_(cross_section(projectile)),
       inset_(rim_radius(projectile)),
@@ -36,7 +38,8 @@ Vec3 ProjectileOnFrame::evaluate(const ProjectileState& projectile, double dt) {
         }
         const double closing = -projectile.velocity.dot(found->normal);
         const RelativeMotion motion{closing, closing, projectile.velocity.norm()};
-        const auto response = law_.advance(bar.penetration, found->depth, motion, dt, 1, {.dissipated_budget = 0, .sliding_share = 1});
+        const auto response = law_.advance(bar.penetration, found->depth, motion, dt, 1,
+                                           {.dissipated_budget = 0, .sliding_share = 1});
         force += response.pressure * area_ * found->normal;
     }
     return force;

@@ -7,7 +7,8 @@ namespace weavefront::contact {
 
 namespace {
 
-/// The normal of the ply on the side to which the body pushes, of unit length; that of the body where the ply is seen edge-on or has none.
+/// The normal of the ply on the side to which the body pushes, of unit length; that of the body where the ply
+/// is seen edge-on or has none.
 Vec3 facing(const Vec3& of_ply, const Vec3& of_body) {
     constexpr double cos_60 = 0.5;
     const double length = of_ply.norm(), along = of_ply.dot(of_body);
@@ -28,7 +29,8 @@ double largest_curvature(const std::array<Vec3, 4>& corners, const std::array<Ve
 
 }  // namespace
 
-PushDirections::PushDirections(const PlyNormals& of_ply, const std::array<Vec3, 4>& corners, double area) : of_ply_(of_ply), area_(area) {
+PushDirections::PushDirections(const PlyNormals& of_ply, const std::array<Vec3, 4>& corners, double area)
+    : of_ply_(of_ply), area_(area) {
     if (of_ply_) curvature_ = largest_curvature(corners, *of_ply_);
 }
 

@@ -15,7 +15,8 @@ std::vector<Point> points_of(int n, int m) {
     if (n == 0) return {{-1, -1, 0.25}, {1, -1, 0.25}, {1, 1, 0.25}, {-1, 1, 0.25}};
     std::vector<Point> points;
     for (int j = 0; j < m; ++j)
-        for (int i = 0; i < n; ++i) points.push_back({(2.0 * i + 1) / n - 1, (2.0 * j + 1) / m - 1, 1.0 / (n * m)});
+        for (int i = 0; i < n; ++i)
+            points.push_back({(2.0 * i + 1) / n - 1, (2.0 * j + 1) / m - 1, 1.0 / (n * m)});
     return points;
 }
 
@@ -41,7 +42,8 @@ QuadratureRule quadrature(int n, int m) {
 std::int32_t Quadrature::rule_for(const std::array<Vec3, 4>& corners) {
     int n = 0, m = 0;
     if (spacing_) {
-        // An element as long as a whole number of spacings takes that many points, whatever the rounding of its corners.
+        // An element as long as a whole number of spacings takes that many points, whatever the rounding of
+        // its corners.
         const auto points = [&](double length) {
             return std::clamp(static_cast<int>(std::ceil(length / *spacing_ * (1 - 1e-9))), 1, most_);
         };
@@ -60,7 +62,8 @@ std::array<Vec3, 4> Quadrature::spanned(std::int32_t index, const std::array<Vec
     const double xi = outermost(rule.n), eta = outermost(rule.m);
     const auto& c = corners;
     const Vec3 middle = (c[0] + c[1] + c[2] + c[3]) / 4, along = (c[1] + c[2] - c[0] - c[3]) * (xi / 4),
-               across = (c[2] + c[3] - c[0] - c[1]) * (eta / 4), twist = (c[0] + c[2] - c[1] - c[3]) * (xi * eta / 4);
+               across = (c[2] + c[3] - c[0] - c[1]) * (eta / 4),
+               twist = (c[0] + c[2] - c[1] - c[3]) * (xi * eta / 4);
     return {middle - along - across + twist, middle + along - across - twist, middle + along + across + twist,
             middle - along + across - twist};
 }

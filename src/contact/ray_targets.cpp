@@ -14,10 +14,12 @@ void RayTargets::start(const Facet& facet, const std::array<Vec3, 4>& corners) {
     footprint_ = Footprint::of(Box::around(corners));
 }
 
-void RayTargets::add(const FacetRanges& candidates, NormalRays& rays, const Surface& surface, const ContactDistances& distances,
-                     std::span<const Vec3> x) {
+void RayTargets::add(const FacetRanges& candidates, NormalRays& rays, const Surface& surface,
+                     const ContactDistances& distances, std::span<const Vec3> x) {
     const auto known = static_cast<std::ptrdiff_t>(targets_.size());
-    const auto sooner = [](const Near& l, const Near& r) { return l.ply != r.ply ? l.ply < r.ply : l.apart < r.apart; };
+    const auto sooner = [](const Near& l, const Near& r) {
+        return l.ply != r.ply ? l.ply < r.ply : l.apart < r.apart;
+    };
     std::int32_t ply = ply_ + 1;
     bool covered = false, on_free_edge = false;  // the facet at hand, by this ply; part of that by a rim
     for (const auto candidate : candidates) {
@@ -30,14 +32,15 @@ void RayTargets::add(const FacetRanges& candidates, NormalRays& rays, const Surf
             covered = on_free_edge = false;
         }
         const auto box = Box::around(facet, x);
-        if (!surface.on_free_edge.empty() && footprint_.near(Footprint::of(box), distances.max_penetration())) {
+        if (!surface.on_free_edge.empty() &&
+            footprint_.near(Footprint::of(box), distances.max_penetration())) {
             covered = true;
             on_free_edge = on_free_edge || surface.on_free_edge[at] != 0;
         }
         if (!rays.may_reach(box)) continue;
         if (known > 0 && targets_.front().facet == candidate) continue;
-        // Seen along the normal of the facet at hand the other must not lie wholly ahead of its foremost corner; a line at a slant only
-        // meets it later.
+        // Seen along the normal of the facet at hand the other must not lie wholly ahead of its foremost
+        // corner; a line at a slant only meets it later.
         const auto corners = corners_of(facet.nodes, x);
         double nearest = (corners[0] - centre_).dot(normal_);
         for (std::size_t c = 1; c < 4; ++c) nearest = std::min(nearest, (corners[c] - centre_).dot(normal_));

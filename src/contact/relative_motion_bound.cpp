@@ -22,7 +22,8 @@ RelativeMotionBound::RelativeMotionBound(const Surface& surface, std::span<const
     accumulated_.assign(static_cast<std::size_t>(groups_.count()), {});
 }
 
-void RelativeMotionBound::rebuild(const Surface& surface, const Candidates& candidates, std::span<const Vec3> x) {
+void RelativeMotionBound::rebuild(const Surface& surface, const Candidates& candidates,
+                                  std::span<const Vec3> x) {
     groups_.group(surface, x, surface.owned, static_cast<std::int32_t>(surface.facets.size()));
     boxes_.resize(static_cast<std::size_t>(groups_.count()));
     std::vector<std::int32_t> group_of(surface.facets.size());
@@ -35,7 +36,8 @@ void RelativeMotionBound::rebuild(const Surface& surface, const Candidates& cand
         for (const auto f : groups_.facets(g))
             for (const auto other : candidates.of(f)) {
                 const auto group = group_of[static_cast<std::size_t>(other)];
-                if (std::find(candidate_groups_.begin() + start, candidate_groups_.end(), group) == candidate_groups_.end())
+                if (std::find(candidate_groups_.begin() + start, candidate_groups_.end(), group) ==
+                    candidate_groups_.end())
                     candidate_groups_.push_back(group);
             }
         first_.push_back(static_cast<std::int32_t>(candidate_groups_.size()));
@@ -44,14 +46,17 @@ void RelativeMotionBound::rebuild(const Surface& surface, const Candidates& cand
 
 void RelativeMotionBound::advance(std::span<const Vec3> v, double dt) {
     for (std::int32_t g = 0; g < groups_.count(); ++g) {
-        for (const auto node : groups_.nodes(std::min(g + 2, groups_.count() - 1))) __builtin_prefetch(&v[static_cast<std::size_t>(node)]);
+        for (const auto node : groups_.nodes(std::min(g + 2, groups_.count() - 1)))
+            __builtin_prefetch(&v[static_cast<std::size_t>(node)]);
         boxes_[static_cast<std::size_t>(g)] = box_around(groups_.nodes(g), v);
     }
     for (std::size_t g = 0; g < accumulated_.size(); ++g) {
         double fastest = 0;
         for (auto k = first_[g]; k < first_[g + 1]; ++k)
             fastest = std::max(
-                fastest, boxes_[g].squared_difference(boxes_[static_cast<std::size_t>(candidate_groups_[static_cast<std::size_t>(k)])]));
+                fastest,
+                boxes_[g].squared_difference(
+                    boxes_[static_cast<std::size_t>(candidate_groups_[static_cast<std::size_t>(k)])]));
         accumulated_[g].last = dt * std::sqrt(fastest);
         accumulated_[g].sum += accumulated_[g].last;
     }

@@ -6,7 +6,8 @@
 
 namespace weavefront::contact {
 
-SweptBounds::SweptBounds(std::span<const Vec3> x, std::span<const Vec3> v, double ahead) : middles_(x.size()), halves_(x.size()) {
+SweptBounds::SweptBounds(std::span<const Vec3> x, std::span<const Vec3> v, double ahead)
+    : middles_(x.size()), halves_(x.size()) {
     for (std::size_t n = 0; n < x.size(); ++n) {
         const Vec3 way = ahead / 2 * v[n], middle = x[n] + way;
         middles_[n] = {static_cast<float>(middle.x()), static_cast<float>(middle.y())};
@@ -28,8 +29,10 @@ bool SweptBounds::any_outside(std::span<const Vec3> x, double margin) const {
         std::memcpy(&half, halves_[n].data(), sizeof half);
         std::memcpy(&one, x[n].data(), sizeof one);
         std::memcpy(&other, x[n + 1].data(), sizeof other);
-        const Doubles way = __builtin_shufflevector(one, other, 0, 1, 2, 3) - __builtin_convertvector(middle, Doubles);
-        const auto size = reinterpret_cast<Doubles>(reinterpret_cast<Bits>(way) & std::int64_t{0x7fffffffffffffff});
+        const Doubles way =
+            __builtin_shufflevector(one, other, 0, 1, 2, 3) - __builtin_convertvector(middle, Doubles);
+        const auto size =
+            reinterpret_cast<Doubles>(reinterpret_cast<Bits>(way) & std::int64_t{0x7fffffffffffffff});
         left |= size - __builtin_convertvector(half, Doubles) > margin;
     }
     bool found = (left[0] | left[1] | left[2] | left[3]) != 0;

@@ -10,13 +10,14 @@
 
 namespace weavefront::io {
 
-/// Collects the first failure of this rank and shares it: after `settle` either all ranks go on or all throw the same.
+/// Collects the first failure of this rank and shares it: after `settle` either all ranks go on or all throw
+/// the same.
 class Agreement {
   public:
     explicit Agreement(const parallel::Communicator& comm) : comm_(&comm) {}
 
-    /// Runs `action`, keeping the text of what it throws. What is collective inside is called by every rank, so nothing is skipped after an
-    /// earlier failure.
+    /// Runs `action`, keeping the text of what it throws. What is collective inside is called by every rank,
+    /// so nothing is skipped after an earlier failure.
     template <class Action>
     void attempt(Action&& action) {
         try {

@@ -19,7 +19,9 @@ using parallel::check;
 std::int64_t block_begin(std::int64_t total, int ranks, int rank) { return total * rank / ranks; }
 
 // Inverse of block_begin: the largest rank whose block begins at or before the item.
-int block_rank(std::int64_t total, int ranks, std::int64_t item) { return static_cast<int>(((item + 1) * ranks - 1) / total); }
+int block_rank(std::int64_t total, int ranks, std::int64_t item) {
+    return static_cast<int>(((item + 1) * ranks - 1) / total);
+}
 
 std::vector<int> starts_of(const std::vector<int>& counts) {
     std::vector<int> starts(counts.size());
@@ -28,7 +30,8 @@ std::vector<int> starts_of(const std::vector<int>& counts) {
 }
 
 void require_ascending_within(std::int64_t total, std::span<const std::int64_t> owned) {
-    const bool ascending = std::adjacent_find(owned.begin(), owned.end(), std::greater_equal<>()) == owned.end();
+    const bool ascending =
+        std::adjacent_find(owned.begin(), owned.end(), std::greater_equal<>()) == owned.end();
     if (!ascending) throw std::logic_error("owned global ids are not ascending");
     if (!owned.empty() && (owned.front() < 0 || owned.back() >= total))
         throw std::logic_error("an owned global id lies outside 0.." + std::to_string(total - 1));
@@ -37,16 +40,20 @@ void require_ascending_within(std::int64_t total, std::span<const std::int64_t> 
 void require_each_once(std::span<const std::int64_t> position, std::int64_t count, std::int64_t first) {
     std::vector<bool> seen(static_cast<std::size_t>(count));
     for (const auto p : position) {
-        if (seen[static_cast<std::size_t>(p)]) throw std::logic_error("global id " + std::to_string(first + p) + " has two owners");
+        if (seen[static_cast<std::size_t>(p)])
+            throw std::logic_error("global id " + std::to_string(first + p) + " has two owners");
         seen[static_cast<std::size_t>(p)] = true;
     }
     const auto missing = std::find(seen.begin(), seen.end(), false);
-    if (missing != seen.end()) throw std::logic_error("global id " + std::to_string(first + (missing - seen.begin())) + " has no owner");
+    if (missing != seen.end())
+        throw std::logic_error("global id " + std::to_string(first + (missing - seen.begin())) +
+                               " has no owner");
 }
 
 }  // namespace
 
-BlockExchange::BlockExchange(const parallel::Communicator& comm, std::int64_t total, std::span<const std::int64_t> owned)
+BlockExchange::BlockExchange(const parallel::Communicator& comm, std::int64_t total,
+                             std::span<const std::int64_t> owned)
     : comm_(&comm), total_(total), first_(block_begin(total, comm.size(), comm.rank())) {
     const auto count = block_begin(total, comm.size(), comm.rank() + 1) - first_;
 
@@ -71,23 +78,26 @@ void BlockExchange::agree_on_counts(std::span<const std::int64_t> owned) {
 
 void BlockExchange::agree_on_positions(std::span<const std::int64_t> owned) {
     position_.resize(static_cast<std::size_t>(std::reduce(receive_counts_.begin(), receive_counts_.end())));
-    check(MPI_Alltoallv(owned.data(), send_counts_.data(), send_starts_.data(), MPI_INT64_T, position_.data(), receive_counts_.data(),
-                        receive_starts_.data(), MPI_INT64_T, comm_->get()));
+    check(MPI_Alltoallv(owned.data(), send_counts_.data(), send_starts_.data(), MPI_INT64_T, position_.data(),
+                        receive_counts_.data(), receive_starts_.data(), MPI_INT64_T, comm_->get()));
     for (auto& p : position_) p -= first_;
 }
 
-void BlockExchange::exchange(std::span<const std::byte> values, std::span<std::byte> block, std::size_t item) const {
+void BlockExchange::exchange(std::span<const std::byte> values, std::span<std::byte> block,
+                             std::size_t item) const {
     if (values.size() != owned() * item)
-        throw std::invalid_argument("expected " + std::to_string(owned()) + " items of " + std::to_string(item) + " bytes, got " +
-                                    std::to_string(values.size()) + " bytes");
+        throw std::invalid_argument("expected " + std::to_string(owned()) + " items of " +
+                                    std::to_string(item) + " bytes, got " + std::to_string(values.size()) +
+                                    " bytes");
     // Ascending ids meet ascending blocks: what goes to one rank is contiguous already.
     std::vector<std::byte> arrived(block.size());
     const parallel::ItemType type(item);
-    check(MPI_Alltoallv(values.data(), send_counts_.data(), send_starts_.data(), type.get(), arrived.data(), receive_counts_.data(),
-                        receive_starts_.data(), type.get(), comm_->get()));
+    check(MPI_Alltoallv(values.data(), send_counts_.data(), send_starts_.data(), type.get(), arrived.data(),
+                        receive_counts_.data(), receive_starts_.data(), type.get(), comm_->get()));
     const auto place = [&](auto size) {
         for (std::size_t i = 0; i < position_.size(); ++i)
-            std::memcpy(block.data() + static_cast<std::size_t>(position_[i]) * size, arrived.data() + i * size, size);
+            std::memcpy(block.data() + static_cast<std::size_t>(position_[i]) * size,
+                        arrived.data() + i * size, size);
     };
     // Sizes that are known when this is compiled are copied without a call.
     if (item == sizeof(double))

@@ -24,7 +24,8 @@ void require_space(const ResultsSetup& setup, double bytes) {
     const double needed = results_bytes(setup, setup.max_frames) + of_other_files;
     if (needed > left)
         throw FileError(
-            fmt::format("{} may grow to {:.4g} GB with its {} frames, but only {:.4g} GB are free there: write fewer frames "
+            fmt::format("{} may grow to {:.4g} GB with its {} frames, but only {:.4g} GB are free there: "
+                        "write fewer frames "
                         "(output.interval) or fields (output.fields), or to another disk (--output)",
                         setup.path.string(), needed / 1e9, setup.max_frames, left / 1e9));
 }
@@ -40,8 +41,9 @@ void require_size(const ResultsSetup& setup) {
     ::close(descriptor);
     ::unlink(name.c_str());
     if (cause != 0)
-        throw FileError(fmt::format("{} may grow to {:.4g} GB with its {} frames, which is refused (disk, quota, ulimit -f): {}",
-                                    setup.path.string(), bytes / 1e9, setup.max_frames, std::generic_category().message(cause)));
+        throw FileError(fmt::format(
+            "{} may grow to {:.4g} GB with its {} frames, which is refused (disk, quota, ulimit -f): {}",
+            setup.path.string(), bytes / 1e9, setup.max_frames, std::generic_category().message(cause)));
 }
 
 double taken_by(const std::filesystem::path& path) {

@@ -8,7 +8,8 @@
 
 namespace weavefront::io {
 
-/// HDF5 does not survive a disk that is full at the wrong moment, and nobody wants to learn of it at the end of a run.
+/// HDF5 does not survive a disk that is full at the wrong moment, and nobody wants to learn of it at the end
+/// of a run.
 /// @param bytes  that come free before the file has grown
 /// @throws FileError when the disk cannot hold the file with all its frames
 void require_space(const ResultsSetup& setup, double bytes);

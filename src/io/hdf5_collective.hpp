@@ -15,8 +15,8 @@ namespace weavefront::io {
 H5File open_by_all(const std::string& path, const parallel::Communicator& comm);
 
 /// Rows of a dataset that begin at `first`, `length` values of `memory_type` in all; see the template.
-void write_rows(const H5Dataset& dataset, std::int64_t first, std::size_t length, hid_t memory_type, const void* values,
-                const std::string& doing);
+void write_rows(const H5Dataset& dataset, std::int64_t first, std::size_t length, hid_t memory_type,
+                const void* values, const std::string& doing);
 
 /// Writes this rank's rows of a dataset.
 /// @param first   row at which they begin
@@ -25,13 +25,16 @@ void write_rows(const H5Dataset& dataset, std::int64_t first, std::size_t length
 /// @throws FileError
 /// @note Collective
 template <class T>
-void write_rows(const H5Dataset& dataset, std::int64_t first, std::span<const T> values, const std::string& doing) {
+void write_rows(const H5Dataset& dataset, std::int64_t first, std::span<const T> values,
+                const std::string& doing) {
     write_rows(dataset, first, values.size(), native_type<T>(), values.data(), doing);
 }
 
-/// Rows that follow the last block of the global order, appended on the rank that holds it: so each rank still writes one piece.
+/// Rows that follow the last block of the global order, appended on the rank that holds it: so each rank
+/// still writes one piece.
 template <class T>
-std::vector<T> with_rows_of_last_rank(const parallel::Communicator& comm, std::vector<T> block, const std::vector<T>& rows) {
+std::vector<T> with_rows_of_last_rank(const parallel::Communicator& comm, std::vector<T> block,
+                                      const std::vector<T>& rows) {
     if (comm.rank() == comm.size() - 1) block.insert(block.end(), rows.begin(), rows.end());
     return block;
 }

@@ -13,7 +13,8 @@ namespace weavefront::io {
 
 using Extents = std::vector<hsize_t>;
 
-/// Creation properties of a file, group or dataset, without object times: two files of the same run must not differ by their moment.
+/// Creation properties of a file, group or dataset, without object times: two files of the same run must not
+/// differ by their moment.
 H5Properties creation_properties(hid_t kind, const std::string& doing);
 
 /// Writes attributes and datasets into one group. Every function throws FileError.
@@ -38,17 +39,22 @@ class GroupWriter {
     H5Dataset dataset(const std::string& name, hid_t file_type, const Extents& extents) const;
     /// The same, written.
     template <class T>
-    void dataset(const std::string& name, hid_t file_type, const Extents& extents, std::span<const T> values) const {
+    void dataset(const std::string& name, hid_t file_type, const Extents& extents,
+                 std::span<const T> values) const {
         const H5Dataset made = dataset(name, file_type, extents);
-        checked(H5Dwrite(made.get(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "writing " + where_ + "/" + name);
+        checked(H5Dwrite(made.get(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+                "writing " + where_ + "/" + name);
     }
-    /// Vector with one entry now and up to `most` later, in one chunk that exists from the start: growing changes only the extent.
+    /// Vector with one entry now and up to `most` later, in one chunk that exists from the start: growing
+    /// changes only the extent.
     void growing_dataset(const std::string& name, hid_t file_type, hsize_t most) const;
 
   private:
     GroupWriter(std::string where, H5Group group) : where_(std::move(where)), group_(std::move(group)) {}
-    void attribute(const std::string& name, std::size_t count, hid_t file_type, hid_t memory_type, const void* values) const;
-    H5Dataset create(const std::string& name, hid_t file_type, const H5Space& space, const H5Properties& properties) const;
+    void attribute(const std::string& name, std::size_t count, hid_t file_type, hid_t memory_type,
+                   const void* values) const;
+    H5Dataset create(const std::string& name, hid_t file_type, const H5Space& space,
+                     const H5Properties& properties) const;
 
     std::string where_;
     H5Group group_;

@@ -6,7 +6,8 @@ namespace weavefront::io {
 
 namespace {
 
-// H5E_WALK_UPWARD visits the place where the error was found first: the reason, the outer ones only say what could not be done then.
+// H5E_WALK_UPWARD visits the place where the error was found first: the reason, the outer ones only say what
+// could not be done then.
 herr_t take_innermost(unsigned index, const H5E_error2_t* error, void* reason) {
     if (index == 0 && error->desc != nullptr) *static_cast<std::string*>(reason) = error->desc;
     return 0;

@@ -45,7 +45,8 @@ using H5Attribute = Hdf5Handle<H5Aclose>;
 using H5Type = Hdf5Handle<H5Tclose>;
 using H5Properties = Hdf5Handle<H5Pclose>;
 
-/// Keeps HDF5 from printing its error stack while it lives; `checked` puts what matters of it into the exception.
+/// Keeps HDF5 from printing its error stack while it lives; `checked` puts what matters of it into the
+/// exception.
 class QuietHdf5 {
   public:
     QuietHdf5();
@@ -64,7 +65,8 @@ class QuietHdf5 {
 /// @throws FileError with the innermost reason that HDF5 gives when `result` is negative
 hid_t checked(hid_t result, const std::string& doing);
 
-/// Access properties for one process, without locks: readers are welcome while a run writes, and some parallel file systems know none.
+/// Access properties for one process, without locks: readers are welcome while a run writes, and some
+/// parallel file systems know none.
 H5Properties unlocked_access(const std::string& doing);
 
 /// Closes a file and checks it, which its destructor cannot. @throws FileError

@@ -58,7 +58,9 @@ std::vector<Column> columns(const HistoryRow& row) {
 std::string cell(const Column& column, double time) {
     if (const auto* count = std::get_if<std::int64_t>(&column.value)) return fmt::format("{}", *count);
     const double value = std::get<double>(column.value);
-    if (!std::isfinite(value)) throw NotFinite(fmt::format("column {} of the history would be {} at {} s", column.name, value, time));
+    if (!std::isfinite(value))
+        throw NotFinite(
+            fmt::format("column {} of the history would be {} at {} s", column.name, value, time));
     return fmt::format("{:.17g}", value);
 }
 

@@ -42,7 +42,8 @@ double available(const std::filesystem::path& root) {
 struct Version {
     const char *folder, *limit, *usage, *of_files;
 };
-constexpr Version first{"sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"};
+constexpr Version first{"sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory.usage_in_bytes",
+                        "total_inactive_file"};
 constexpr Version second{"sys/fs/cgroup", "memory.max", "memory.current", "inactive_file"};
 
 double left_in(const std::filesystem::path& group, const Version& version) {
@@ -64,7 +65,8 @@ double host_memory(const std::filesystem::path& root) {
         const bool is_second = controllers.empty();
         if (!is_second && ("," + controllers + ",").find(",memory,") == std::string::npos) continue;
         const auto& version = is_second ? second : first;
-        // What holds for a group holds for those within it. A container sees its own group as the uppermost one.
+        // What holds for a group holds for those within it. A container sees its own group as the uppermost
+        // one.
         auto group = std::filesystem::path(path).relative_path();
         for (;; group = group.parent_path()) {
             least = std::min(least, left_in(root / version.folder / group, version));

@@ -19,16 +19,19 @@ namespace weavefront::io {
 
 namespace {
 
-/// Whether somebody looks on. Open MPI gives every process a terminal of its own, whatever its launcher prints to: then that counts.
+/// Whether somebody looks on. Open MPI gives every process a terminal of its own, whatever its launcher
+/// prints to: then that counts.
 bool on_terminal() {
     if (::isatty(STDOUT_FILENO) != 1) return false;
     if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr) return true;
     std::error_code unknown;
-    const auto shown = std::filesystem::read_symlink("/proc/" + std::to_string(::getppid()) + "/fd/1", unknown).string();
+    const auto shown =
+        std::filesystem::read_symlink("/proc/" + std::to_string(::getppid()) + "/fd/1", unknown).string();
     return unknown || shown.starts_with("/dev/pts/") || shown.starts_with("/dev/tty");
 }
 
-/// run.log. A line that it cannot take, on a full disk, is told to standard error and counted; the run goes on.
+/// run.log. A line that it cannot take, on a full disk, is told to standard error and counted; the run goes
+/// on.
 class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
   public:
     explicit FileSink(const std::filesystem::path& path) : file_(path) {}
@@ -47,7 +50,8 @@ class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mut
         try {
             file_.append({line.data(), line.size()});
         } catch (const FileError& failure) {
-            if (++lost_ == 1) std::fprintf(stderr, "warning: a line of the log is lost: %s\n", failure.what());
+            if (++lost_ == 1)
+                std::fprintf(stderr, "warning: a line of the log is lost: %s\n", failure.what());
         }
     }
     void flush_() override {}
@@ -61,7 +65,10 @@ class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mut
 class Log::Sinks {
   public:
     Sinks(const std::filesystem::path& directory, Terminal terminal)
-        : interactive_(terminal == Terminal::shown && on_terminal()), out_("out"), error_("error"), file_("run.log") {
+        : interactive_(terminal == Terminal::shown && on_terminal()),
+          out_("out"),
+          error_("error"),
+          file_("run.log") {
         if (terminal == Terminal::shown) {
             out_.sinks().push_back(std::make_shared<spdlog::sinks::stdout_sink_mt>());
             error_.sinks().push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
@@ -125,7 +132,8 @@ class Log::Sinks {
     spdlog::logger out_, error_, file_;
 };
 
-Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm, Terminal terminal) : comm_(&comm) {
+Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm, Terminal terminal)
+    : comm_(&comm) {
     Agreement agreement(comm);
     agreement.attempt_on_root([&] { sinks_ = std::make_unique<Sinks>(directory, terminal); });
     agreement.settle<FileError>();

@@ -30,9 +30,12 @@ const char* kind_of(mode_t mode) {
 int create(const std::filesystem::path& path) {
     require_regular_or_missing(path);
     const auto name = temporary_name(path);
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_APPEND | O_CLOEXEC, 0666);
+    const int descriptor =
+        ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno == EEXIST)
-        refuse(path, name.string() + " is in the way, which a program that was killed has left, or somebody else: remove it");
+        refuse(path,
+               name.string() +
+                   " is in the way, which a program that was killed has left, or somebody else: remove it");
     if (descriptor < 0) refuse(path, reason_of(errno));
     return descriptor;
 }
@@ -64,8 +67,10 @@ bool is_in_place(int descriptor, const std::filesystem::path& path) {
 
 void require_in_place(int descriptor, const std::filesystem::path& path) {
     if (!is_in_place(descriptor, path))
-        throw FileError(fmt::format(
-            "{} is no longer there: the file or its folder was moved, removed or replaced while the run wrote to it", path.string()));
+        throw FileError(
+            fmt::format("{} is no longer there: the file or its folder was moved, removed or replaced while "
+                        "the run wrote to it",
+                        path.string()));
 }
 
 NewFile::NewFile(const std::filesystem::path& path) : path_(path), descriptor_(create(path)) {}

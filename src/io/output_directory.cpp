@@ -37,16 +37,20 @@ bool create_writable(const std::filesystem::path& directory) {
     if (failure && std::filesystem::is_symlink(directory) && !std::filesystem::exists(directory))
         throw FileError("output directory " + directory.string() + " cannot be created: it is a link to " +
                         std::filesystem::read_symlink(directory).string() + ", which is missing");
-    if (failure) throw FileError("output directory " + directory.string() + " cannot be created: " + failure.message());
+    if (failure)
+        throw FileError("output directory " + directory.string() +
+                        " cannot be created: " + failure.message());
     if (!std::filesystem::is_directory(directory, failure))
         throw FileError("output directory " + directory.string() + " is not a directory");
     if (::access(directory.c_str(), W_OK | X_OK) != 0)
-        throw FileError("output directory " + directory.string() + " cannot be written to: " + reason_of(errno));
+        throw FileError("output directory " + directory.string() +
+                        " cannot be written to: " + reason_of(errno));
     return is_created;
 }
 
 void remove_file(const std::filesystem::path& path) {
-    if (::unlink(path.c_str()) != 0 && errno != ENOENT) throw FileError(path.string() + " cannot be removed: " + reason_of(errno));
+    if (::unlink(path.c_str()) != 0 && errno != ENOENT)
+        throw FileError(path.string() + " cannot be removed: " + reason_of(errno));
 }
 
 template <class Names>
@@ -74,14 +78,15 @@ std::string refusal(const std::filesystem::path& directory, Earlier earlier) {
         (void)names_there(directory, of_study);
     }
     if (there.empty() || earlier == Earlier::replaced) return {};
-    const auto remedy =
-        earlier == Earlier::refused ? "--overwrite replaces it, --output names another folder" : "--output names another folder";
+    const auto remedy = earlier == Earlier::refused ? "--overwrite replaces it, --output names another folder"
+                                                    : "--output names another folder";
     return fmt::format("{} holds a run already ({}): {}", directory.string(), fmt::join(there, ", "), remedy);
 }
 
 }  // namespace
 
-OutputDirectory::OutputDirectory(const std::filesystem::path& path, const parallel::Communicator& comm, Earlier earlier)
+OutputDirectory::OutputDirectory(const std::filesystem::path& path, const parallel::Communicator& comm,
+                                 Earlier earlier)
     : path_(path), comm_(comm) {
     std::string refused;
     Agreement agreement(comm);

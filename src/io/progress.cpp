@@ -15,7 +15,9 @@ namespace {
 constexpr double redraw_interval = 0.2;  // s
 constexpr double rounding = 1e-9;        // so that 0.1 + 0.2 of 0.3 is all of it
 
-double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double steady_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 std::string bar(double fraction) {
     constexpr int width = 20;
@@ -67,10 +69,11 @@ double Progress::fraction(double time) const { return std::min(1.0, time / end_ 
 void Progress::finish() { log_.end_drawing(); }
 
 std::string Progress::line(double time, std::int64_t step, std::string_view projectile) const {
-    std::string text =
-        fmt::format("{:4.0f} %  {:.2f} of {:.2f} us  step {}", std::floor(100 * fraction(time)), time * 1e6, end_ * 1e6, step);
+    std::string text = fmt::format("{:4.0f} %  {:.2f} of {:.2f} us  step {}",
+                                   std::floor(100 * fraction(time)), time * 1e6, end_ * 1e6, step);
     if (!projectile.empty()) text += fmt::format("  {}", projectile);
-    if (const auto left = remaining_.left(); left && fraction(time) < 1) text += fmt::format("  {} left", duration_text(*left));
+    if (const auto left = remaining_.left(); left && fraction(time) < 1)
+        text += fmt::format("  {} left", duration_text(*left));
     return text;
 }
 

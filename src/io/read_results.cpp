@@ -28,12 +28,16 @@ class ResultsReader::File {
         const H5Dataset data(checked(H5Dopen2(file_.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT), doing));
         const H5Space space(checked(H5Dget_space(data.get()), doing));
         std::array<hsize_t, 2> extent{1, 1};
-        const auto dimensions = static_cast<int>(checked(H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr), doing));
+        const auto dimensions =
+            static_cast<int>(checked(H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr), doing));
         std::array<hsize_t, 2> start{first, 0}, count{rows, dimensions > 1 ? extent[1] : 1};
-        checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), doing);
+        checked(
+            H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+            doing);
         const H5Space memory(checked(H5Screate_simple(dimensions, count.data(), nullptr), doing));
         std::vector<T> values(static_cast<std::size_t>(count[0] * count[1]));
-        checked(H5Dread(data.get(), native_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()), doing);
+        checked(H5Dread(data.get(), native_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()),
+                doing);
         return values;
     }
 
@@ -75,19 +79,22 @@ const std::vector<double>& ResultsReader::times() const { return file_->times();
 std::vector<std::array<double, 3>> ResultsReader::points(std::size_t frame) const {
     const auto flat = file_->numbers<double>("Points", file_->offset("PointOffsets", frame), file_->nodes());
     std::vector<std::array<double, 3>> points(flat.size() / 3);
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
     return points;
 }
 
 std::vector<std::array<std::int64_t, 4>> ResultsReader::quads() const {
     const auto flat = file_->numbers<std::int64_t>("Connectivity", 0, 4 * file_->elements());
     std::vector<std::array<std::int64_t, 4>> quads(flat.size() / 4);
-    for (std::size_t i = 0; i < quads.size(); ++i) quads[i] = {flat[4 * i], flat[4 * i + 1], flat[4 * i + 2], flat[4 * i + 3]};
+    for (std::size_t i = 0; i < quads.size(); ++i)
+        quads[i] = {flat[4 * i], flat[4 * i + 1], flat[4 * i + 2], flat[4 * i + 3]};
     return quads;
 }
 
 std::vector<double> ResultsReader::cells(const std::string& name, std::size_t frame) const {
-    return file_->numbers<double>("CellData/" + name, file_->offset("CellDataOffsets/" + name, frame), file_->elements());
+    return file_->numbers<double>("CellData/" + name, file_->offset("CellDataOffsets/" + name, frame),
+                                  file_->elements());
 }
 
 }  // namespace weavefront::io

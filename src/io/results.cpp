@@ -26,7 +26,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What the machine's crash may cost, beside what its kill may: waiting for the disk at every frame would take longer than writing it.
+// What the machine's crash may cost, beside what its kill may: waiting for the disk at every frame would take
+// longer than writing it.
 constexpr auto between_syncs = std::chrono::seconds(5);
 
 constexpr std::uint8_t vtk_hidden_cell = 32;  // vtkDataSetAttributes::HIDDENCELL
@@ -34,7 +35,8 @@ constexpr std::uint8_t vtk_hidden_cell = 32;  // vtkDataSetAttributes::HIDDENCEL
 template <class To, class From>
 std::vector<To> converted(const From& values) {
     std::vector<To> result(values.size());
-    std::transform(values.begin(), values.end(), result.begin(), [](auto value) { return static_cast<To>(value); });
+    std::transform(values.begin(), values.end(), result.begin(),
+                   [](auto value) { return static_cast<To>(value); });
     return result;
 }
 
@@ -45,9 +47,11 @@ struct OpenArrays {
     std::vector<H5Dataset> point_data, cell_data;
 
     /// @note Collective
-    OpenArrays(const std::string& path, const Frame& layout, const parallel::Communicator& comm) : file(open_by_all(path, comm)) {
+    OpenArrays(const std::string& path, const Frame& layout, const parallel::Communicator& comm)
+        : file(open_by_all(path, comm)) {
         const auto dataset = [&](const std::string& name) {
-            return H5Dataset(checked(H5Dopen2(file.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT), "opening " + path + ": " + name));
+            return H5Dataset(checked(H5Dopen2(file.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT),
+                                     "opening " + path + ": " + name));
         };
         points = dataset("Points");
         for (const auto& array : layout.point_data) point_data.push_back(dataset("PointData/" + array.name));
@@ -173,8 +177,8 @@ class Results::File {
         settle_creation(agreement);
     }
 
-    /// Puts a file with room for another number of frames in the place of this one, as a whole: space between arrays cannot be inserted or
-    /// taken out. Whoever reads finds one of them at any moment.
+    /// Puts a file with room for another number of frames in the place of this one, as a whole: space between
+    /// arrays cannot be inserted or taken out. Whoever reads finds one of them at any moment.
     void change_room(std::int64_t frames) {
         arrays_.reset();
         publisher_.reset();
@@ -203,7 +207,9 @@ class Results::File {
         open(path_);
     }
 
-    [[nodiscard]] std::string doing(const std::string& name) const { return "writing " + path_ + ": " + name; }
+    [[nodiscard]] std::string doing(const std::string& name) const {
+        return "writing " + path_ + ": " + name;
+    }
 
     void write_arrays(const Frame& frame, Agreement& agreement) const {
         const auto first_point = frames_ * sizes_.all_points() + nodes_.first();
@@ -215,24 +221,29 @@ class Results::File {
         agreement.attempt([&] { write_rows<double>(arrays_->points, first_point, points, doing("Points")); });
 
         for (std::size_t i = 0; i < arrays_->point_data.size(); ++i)
-            write_array(arrays_->point_data[i], frame.point_data[i], nodes_, first_point, setup_.surface.points.size(), agreement);
+            write_array(arrays_->point_data[i], frame.point_data[i], nodes_, first_point,
+                        setup_.surface.points.size(), agreement);
         for (std::size_t i = 0; i < arrays_->cell_data.size(); ++i)
-            write_array(arrays_->cell_data[i], frame.cell_data[i], elements_, first_cell, setup_.surface.quads.size(), agreement);
+            write_array(arrays_->cell_data[i], frame.cell_data[i], elements_, first_cell,
+                        setup_.surface.quads.size(), agreement);
 
         auto hidden = converted<std::uint8_t>(frame.eroded);
         for (auto& value : hidden) value = value != 0 ? vtk_hidden_cell : std::uint8_t{0};
         const auto shown = std::vector<std::uint8_t>(setup_.surface.quads.size(), 0);
         const auto values = with_rows_of_last_rank(comm_, elements_.to_block<std::uint8_t>(hidden), shown);
-        agreement.attempt([&] { write_rows<std::uint8_t>(arrays_->hidden, first_cell, values, doing(hidden_name)); });
+        agreement.attempt(
+            [&] { write_rows<std::uint8_t>(arrays_->hidden, first_cell, values, doing(hidden_name)); });
     }
 
-    void write_array(const H5Dataset& dataset, const Array& array, const BlockExchange& exchange, std::int64_t first,
-                     std::size_t surface_items, Agreement& agreement) const {
+    void write_array(const H5Dataset& dataset, const Array& array, const BlockExchange& exchange,
+                     std::int64_t first, std::size_t surface_items, Agreement& agreement) const {
         auto item = array.projectile;
         item.resize(static_cast<std::size_t>(array.components), 0.0);
         std::vector<double> surface;
-        for (std::size_t i = 0; i < surface_items; ++i) surface.insert(surface.end(), item.begin(), item.end());
-        const auto values = with_rows_of_last_rank(comm_, exchange.to_block<double>(array.values, array.components), surface);
+        for (std::size_t i = 0; i < surface_items; ++i)
+            surface.insert(surface.end(), item.begin(), item.end());
+        const auto values =
+            with_rows_of_last_rank(comm_, exchange.to_block<double>(array.values, array.components), surface);
         agreement.attempt([&] {
             if (array.integer)
                 write_rows<std::int8_t>(dataset, first, converted<std::int8_t>(values), doing(array.name));
@@ -241,7 +252,8 @@ class Results::File {
         });
     }
 
-    // The arrays are written as they are handed over, and metadata do not change: all that is left to flush is the operating system.
+    // The arrays are written as they are handed over, and metadata do not change: all that is left to flush
+    // is the operating system.
     void sync() const { checked(H5Fflush(arrays_->file.get(), H5F_SCOPE_GLOBAL), "writing " + path_); }
 
     int exceptions_;  // under way when this was made
@@ -257,7 +269,8 @@ class Results::File {
     Clock::time_point synced_ = Clock::now();
 };
 
-Results::Results(const ResultsSetup& setup, const parallel::Communicator& comm) : file_(std::make_unique<File>(setup, comm)) {}
+Results::Results(const ResultsSetup& setup, const parallel::Communicator& comm)
+    : file_(std::make_unique<File>(setup, comm)) {}
 Results::~Results() = default;
 Results::Results(Results&&) noexcept = default;
 Results& Results::operator=(Results&&) noexcept = default;
@@ -267,7 +280,8 @@ void Results::write(const Frame& frame) {
         file_->write(frame);
     } catch (const FileError& failure) {
         // of which MPI-IO says nothing
-        throw FileError(std::string(failure.what()) + (is_disk_full(file_->path()) ? ": No space left on device" : ""));
+        throw FileError(std::string(failure.what()) +
+                        (is_disk_full(file_->path()) ? ": No space left on device" : ""));
     }
 }
 

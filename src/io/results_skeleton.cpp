@@ -14,7 +14,8 @@ hsize_t extent(std::int64_t n) { return static_cast<hsize_t>(n); }
 // What is the same in every frame, and the rows that each array of a frame takes.
 class Skeleton {
   public:
-    Skeleton(const std::string& path, hid_t file, const ResultsSetup& setup) : path_(path), file_(file), setup_(setup), sizes_(setup) {}
+    Skeleton(const std::string& path, hid_t file, const ResultsSetup& setup)
+        : path_(path), file_(file), setup_(setup), sizes_(setup) {}
 
     void create() const {
         const GroupWriter root(path_, file_, "VTKHDF");
@@ -47,17 +48,19 @@ class Skeleton {
     void create_steps(const GroupWriter& steps) const {
         const std::vector<std::int32_t> none{0};
         steps.attribute<std::int32_t>("NSteps", none, H5T_STD_I32LE);
-        // The reader of VTK copies all of Values into room for NSteps times: this one dataset grows with NSteps.
+        // The reader of VTK copies all of Values into room for NSteps times: this one dataset grows with
+        // NSteps.
         steps.growing_dataset("Values", H5T_IEEE_F64LE, frames());
         steps.dataset<std::int64_t>("NumberOfParts", H5T_STD_I64LE, {frames()}, multiples(0, sizes_.parts()));
         steps.dataset<std::int64_t>("PartOffsets", H5T_STD_I64LE, {frames()}, multiples(0));
-        steps.dataset<std::int64_t>("PointOffsets", H5T_STD_I64LE, {frames()}, multiples(sizes_.all_points()));
+        steps.dataset<std::int64_t>("PointOffsets", H5T_STD_I64LE, {frames()},
+                                    multiples(sizes_.all_points()));
         steps.dataset<std::int64_t>("CellOffsets", H5T_STD_I64LE, {frames(), 1}, multiples(0));
         steps.dataset<std::int64_t>("ConnectivityIdOffsets", H5T_STD_I64LE, {frames(), 1}, multiples(0));
     }
 
-    void create_data(const GroupWriter& root, const GroupWriter& steps, const std::string& kind, const std::vector<Array>& arrays,
-                     std::int64_t rows) const {
+    void create_data(const GroupWriter& root, const GroupWriter& steps, const std::string& kind,
+                     const std::vector<Array>& arrays, std::int64_t rows) const {
         const GroupWriter data(path_, root.get(), kind + "Data");
         const GroupWriter offsets(path_, steps.get(), kind + "DataOffsets");
         const auto every_frame = [&](const std::string& name, int components, hid_t type) {
@@ -66,7 +69,8 @@ class Skeleton {
             (void)data.dataset(name, type, extents);
             offsets.dataset<std::int64_t>(name, H5T_STD_I64LE, {frames()}, multiples(rows));
         };
-        for (const auto& array : arrays) every_frame(array.name, array.components, array.integer ? H5T_STD_I8LE : H5T_IEEE_F64LE);
+        for (const auto& array : arrays)
+            every_frame(array.name, array.components, array.integer ? H5T_STD_I8LE : H5T_IEEE_F64LE);
         if (kind != "Cell") return;
         every_frame(hidden_name, 1, H5T_STD_U8LE);
         (void)data.dataset(ply_name, H5T_STD_I32LE, {extent(rows)});
@@ -78,7 +82,8 @@ class Skeleton {
     // start + k step for every frame k
     [[nodiscard]] std::vector<std::int64_t> multiples(std::int64_t step, std::int64_t start = 0) const {
         std::vector<std::int64_t> values(static_cast<std::size_t>(setup_.max_frames));
-        for (std::size_t k = 0; k < values.size(); ++k) values[k] = start + static_cast<std::int64_t>(k) * step;
+        for (std::size_t k = 0; k < values.size(); ++k)
+            values[k] = start + static_cast<std::int64_t>(k) * step;
         return values;
     }
 
@@ -90,7 +95,8 @@ class Skeleton {
 
 }  // namespace
 
-PartSizes::PartSizes(const ResultsSetup& setup) : points{setup.topology.nodes}, cells{setup.topology.elements} {
+PartSizes::PartSizes(const ResultsSetup& setup)
+    : points{setup.topology.nodes}, cells{setup.topology.elements} {
     if (setup.surface.quads.empty()) return;
     points.push_back(static_cast<std::int64_t>(setup.surface.points.size()));
     cells.push_back(static_cast<std::int64_t>(setup.surface.quads.size()));
@@ -105,25 +111,30 @@ double results_bytes(const ResultsSetup& setup, std::int64_t frames) {
     const auto of_arrays = [](const std::vector<Array>& arrays) {
         double bytes = 0;
         for (const auto& array : arrays)
-            bytes += array.components * static_cast<double>(array.integer ? sizeof(std::int8_t) : sizeof(double));
+            bytes +=
+                array.components * static_cast<double>(array.integer ? sizeof(std::int8_t) : sizeof(double));
         return bytes;
     };
-    constexpr double of_point = 3 * sizeof(double), of_cell_in_frame = 1;            // Points; vtkGhostType
-    constexpr double of_cell = 5 * sizeof(std::int64_t) + 1 + sizeof(std::int32_t);  // Connectivity and Offsets; Types; ply
-    const auto points = static_cast<double>(sizes.all_points()), cells = static_cast<double>(sizes.all_cells());
-    const double frame =
-        points * (of_point + of_arrays(setup.layout.point_data)) + cells * (of_cell_in_frame + of_arrays(setup.layout.cell_data));
+    constexpr double of_point = 3 * sizeof(double), of_cell_in_frame = 1;  // Points; vtkGhostType
+    constexpr double of_cell =
+        5 * sizeof(std::int64_t) + 1 + sizeof(std::int32_t);  // Connectivity and Offsets; Types; ply
+    const auto points = static_cast<double>(sizes.all_points()),
+               cells = static_cast<double>(sizes.all_cells());
+    const double frame = points * (of_point + of_arrays(setup.layout.point_data)) +
+                         cells * (of_cell_in_frame + of_arrays(setup.layout.cell_data));
     return static_cast<double>(frames) * frame + cells * of_cell;
 }
 
 void create_results_skeleton(const std::string& path, const ResultsSetup& setup) {
     const H5Properties creation = creation_properties(H5P_FILE_CREATE, path);
-    H5File file(checked(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), unlocked_access(path).get()), "creating " + path));
+    H5File file(checked(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), unlocked_access(path).get()),
+                        "creating " + path));
     Skeleton(path, file.get(), setup).create();
 
     const GroupWriter root = GroupWriter::root(path, file.get());
     root.attribute("version", setup.version);
-    const auto scene = std::span(reinterpret_cast<const std::uint8_t*>(setup.scene.data()), setup.scene.size());
+    const auto scene =
+        std::span(reinterpret_cast<const std::uint8_t*>(setup.scene.data()), setup.scene.size());
     root.dataset("scene", H5T_STD_U8LE, {scene.size()}, scene);
     close(file, "closing " + path);
 }

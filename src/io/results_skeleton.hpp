@@ -27,8 +27,8 @@ struct PartSizes {
 /// Bytes of the arrays of a file with so many frames, nearly all of it.
 [[nodiscard]] double results_bytes(const ResultsSetup& setup, std::int64_t frames);
 
-/// Creates the file on one process: groups, attributes, all extents and all offsets, with NSteps = 0. File space is allocated for
-/// `max_frames` frames, sparse until they are written.
+/// Creates the file on one process: groups, attributes, all extents and all offsets, with NSteps = 0. File
+/// space is allocated for `max_frames` frames, sparse until they are written.
 /// @param path   of the file, which must not be there
 /// @param setup  what is constant; the owned parts of its topology are not read
 /// @throws FileError

@@ -32,21 +32,27 @@ std::vector<std::int64_t> closing_offsets(const PartSizes& sizes) {
 
 }  // namespace
 
-void write_topology(const std::string& path, const ResultsSetup& setup, const BlockExchange& elements, const parallel::Communicator& comm) {
+void write_topology(const std::string& path, const ResultsSetup& setup, const BlockExchange& elements,
+                    const parallel::Communicator& comm) {
     H5File file = open_by_all(path, comm);
-    const auto write = [&]<class T>(const std::string& name, std::int64_t first, std::vector<T> of_fabric, const std::vector<T>& after) {
+    const auto write = [&]<class T>(const std::string& name, std::int64_t first, std::vector<T> of_fabric,
+                                    const std::vector<T>& after) {
         const std::string doing = "writing " + path + ": " + name;
-        const H5Dataset dataset(checked(H5Dopen2(file.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT), doing));
+        const H5Dataset dataset(
+            checked(H5Dopen2(file.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT), doing));
         write_rows<T>(dataset, first, with_rows_of_last_rank(comm, std::move(of_fabric), after), doing);
     };
     const auto surface = flat(setup.surface.quads);
     const auto quads = setup.surface.quads.size();
     const std::vector<std::uint8_t> types(static_cast<std::size_t>(elements.count()), vtk_quad);
-    write("Connectivity", 4 * elements.first(), elements.to_block<std::int64_t>(flat(setup.topology.connectivity), 4),
+    write("Connectivity", 4 * elements.first(),
+          elements.to_block<std::int64_t>(flat(setup.topology.connectivity), 4),
           std::vector<std::int64_t>(surface.begin(), surface.end()));
-    write("Offsets", elements.first(), multiples_of_four(elements.first(), elements.count()), closing_offsets(PartSizes(setup)));
+    write("Offsets", elements.first(), multiples_of_four(elements.first(), elements.count()),
+          closing_offsets(PartSizes(setup)));
     write("Types", elements.first(), types, std::vector<std::uint8_t>(quads, vtk_quad));
-    write("CellData/ply", elements.first(), elements.to_block<std::int32_t>(setup.topology.ply), std::vector<std::int32_t>(quads, 0));
+    write("CellData/ply", elements.first(), elements.to_block<std::int32_t>(setup.topology.ply),
+          std::vector<std::int32_t>(quads, 0));
     close(file, "closing " + path);
 }
 

@@ -15,6 +15,7 @@ namespace weavefront::io {
 /// @param elements  exchange of the owned elements
 /// @throws FileError
 /// @note Collective
-void write_topology(const std::string& path, const ResultsSetup& setup, const BlockExchange& elements, const parallel::Communicator& comm);
+void write_topology(const std::string& path, const ResultsSetup& setup, const BlockExchange& elements,
+                    const parallel::Communicator& comm);
 
 }  // namespace weavefront::io

@@ -29,7 +29,8 @@ namespace {
 struct Holder {
     std::string host, started;
     pid_t process = 0;
-    std::string ticks;  ///< at which the process began, since the host did: tells it from a later one with its number
+    std::string
+        ticks;  ///< at which the process began, since the host did: tells it from a later one with its number
 };
 
 std::string host_name() {
@@ -38,8 +39,8 @@ std::string host_name() {
     return name.data();
 }
 
-/// Field 22 of /proc/PID/stat; "ended": it has, and its parent has not asked how; empty: unknown. The command, which may hold spaces, ends
-/// with the last parenthesis.
+/// Field 22 of /proc/PID/stat; "ended": it has, and its parent has not asked how; empty: unknown. The
+/// command, which may hold spaces, ends with the last parenthesis.
 std::string ticks_of(pid_t process) {
     std::ifstream file(fmt::format("/proc/{}/stat", process));
     std::string text;
@@ -55,7 +56,8 @@ std::string ticks_of(pid_t process) {
 }
 
 std::string text_of(const Holder& holder) {
-    return fmt::format("host {}\nprocess {}\nticks {}\nstarted {}\n", holder.host, holder.process, holder.ticks, holder.started);
+    return fmt::format("host {}\nprocess {}\nticks {}\nstarted {}\n", holder.host, holder.process,
+                       holder.ticks, holder.started);
 }
 
 /// The text of a lock; none when it is no regular file or cannot be read.
@@ -67,15 +69,18 @@ std::optional<std::string> text_in(const std::filesystem::path& path) {
     const bool is_file = ::fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode);
     const auto length = is_file ? ::read(descriptor, text.data(), text.size()) : -1;
     ::close(descriptor);
-    return length < 0 ? std::nullopt : std::optional(std::string(text.data(), static_cast<std::size_t>(length)));
+    return length < 0 ? std::nullopt
+                      : std::optional(std::string(text.data(), static_cast<std::size_t>(length)));
 }
 
 std::optional<Holder> holder_in(const std::string& text) {
     Holder holder;
     std::string host, process, ticks, started;
     std::istringstream words(text);
-    words >> host >> holder.host >> process >> holder.process >> ticks >> holder.ticks >> started >> holder.started;
-    const bool is_whole = words && host == "host" && process == "process" && ticks == "ticks" && started == "started";
+    words >> host >> holder.host >> process >> holder.process >> ticks >> holder.ticks >> started >>
+        holder.started;
+    const bool is_whole =
+        words && host == "host" && process == "process" && ticks == "ticks" && started == "started";
     return is_whole && holder.process > 0 ? std::optional(holder) : std::nullopt;
 }
 
@@ -86,17 +91,21 @@ bool is_gone(const Holder& holder) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& lock, const std::string& by) {
-    throw FileError(fmt::format("output directory {} is in use by another run{}", lock.parent_path().string(), by));
+    throw FileError(
+        fmt::format("output directory {} is in use by another run{}", lock.parent_path().string(), by));
 }
 
 /// Refuses a lock that holds. @return the text of one that does not
 std::string require_stale(const std::filesystem::path& lock, const std::string& here) {
     const auto text = text_in(lock);
     const auto holder = holder_in(text.value_or(""));
-    if (!holder) refuse(lock, fmt::format(": {} does not say by which; remove it when there is none", lock.string()));
-    const auto run = fmt::format(": process {} on {} since {}", holder->process, holder->host, holder->started);
+    if (!holder)
+        refuse(lock, fmt::format(": {} does not say by which; remove it when there is none", lock.string()));
+    const auto run =
+        fmt::format(": process {} on {} since {}", holder->process, holder->host, holder->started);
     if (holder->host != here)
-        refuse(lock, fmt::format("{}, which cannot be seen from {}; remove {} when it has ended", run, here, lock.string()));
+        refuse(lock, fmt::format("{}, which cannot be seen from {}; remove {} when it has ended", run, here,
+                                 lock.string()));
     if (!is_gone(*holder)) refuse(lock, run);
     return *text;
 }
@@ -114,7 +123,8 @@ void take_away(const std::filesystem::path& lock, const std::string& stale) {
 }  // namespace
 
 RunLock::RunLock(const std::filesystem::path& folder) : path_(folder / "run.lock") {
-    const Holder own{host_name(), fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))), ::getpid(), ticks_of(::getpid())};
+    const Holder own{host_name(), fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
+                     ::getpid(), ticks_of(::getpid())};
     const auto text = text_of(own);
     constexpr int attempts = 2;
     for (int attempt = 0;; ++attempt) {
@@ -124,10 +134,12 @@ RunLock::RunLock(const std::filesystem::path& folder) : path_(folder / "run.lock
             const int cause = errno;
             ::close(descriptor_);
             ::unlink(path_.c_str());
-            throw FileError(fmt::format("{} cannot be written: {}", path_.string(), std::generic_category().message(cause)));
+            throw FileError(fmt::format("{} cannot be written: {}", path_.string(),
+                                        std::generic_category().message(cause)));
         }
         if (errno != EEXIST)
-            throw FileError(fmt::format("{} cannot be created: {}", path_.string(), std::generic_category().message(errno)));
+            throw FileError(fmt::format("{} cannot be created: {}", path_.string(),
+                                        std::generic_category().message(errno)));
         if (attempt == attempts) refuse(path_, "");
         take_away(path_, require_stale(path_, own.host));
     }

@@ -6,8 +6,8 @@
 
 namespace weavefront::io {
 
-/// The file run.lock in a folder, with host, process and start of the run that keeps the folder. A lock whose process is gone from this
-/// host is taken over.
+/// The file run.lock in a folder, with host, process and start of the run that keeps the folder. A lock whose
+/// process is gone from this host is taken over.
 class RunLock {
   public:
     /// @throws FileError naming the run that keeps the folder

@@ -20,17 +20,22 @@ void require(bool done) {
 
 void Sha256::Free::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
 
-Sha256::Sha256() : context_(EVP_MD_CTX_new()) { require(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1); }
+Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
+    require(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
+}
 Sha256::~Sha256() = default;
 Sha256::Sha256(Sha256&&) noexcept = default;
 Sha256& Sha256::operator=(Sha256&&) noexcept = default;
 
-void Sha256::add(std::string_view part) { require(EVP_DigestUpdate(context_.get(), part.data(), part.size()) == 1); }
+void Sha256::add(std::string_view part) {
+    require(EVP_DigestUpdate(context_.get(), part.data(), part.size()) == 1);
+}
 
 std::string Sha256::hex() const {
     const std::unique_ptr<evp_md_ctx_st, Free> copy(EVP_MD_CTX_new());  // which the end of it may use up
     std::array<unsigned char, 32> digest{};
-    require(copy && EVP_MD_CTX_copy_ex(copy.get(), context_.get()) == 1 && EVP_DigestFinal_ex(copy.get(), digest.data(), nullptr) == 1);
+    require(copy && EVP_MD_CTX_copy_ex(copy.get(), context_.get()) == 1 &&
+            EVP_DigestFinal_ex(copy.get(), digest.data(), nullptr) == 1);
     std::string text;
     for (const auto byte : digest) text += fmt::format("{:02x}", byte);
     return text;

@@ -31,7 +31,8 @@ Json to_json(const Summary& summary) {
     Json phases = Json::object();
     Json first_break = Json::array();
     for (const auto& time : summary.first_break) first_break.push_back(to_json(time));
-    for (const auto& phase : summary.wall_seconds) phases[phase.name] = {{"min", phase.min}, {"mean", phase.mean}, {"max", phase.max}};
+    for (const auto& phase : summary.wall_seconds)
+        phases[phase.name] = {{"min", phase.min}, {"mean", phase.mean}, {"max", phase.max}};
     return {{"status", summary.status},
             {"reason", summary.reason},
             {"title", summary.title},
@@ -59,14 +60,16 @@ Json to_json(const Summary& summary) {
 
 // JSON has no infinities: the library would write null, which reads as "does not apply".
 void require_finite(const Json& json, const std::string& key) {
-    if (json.is_number_float() && !std::isfinite(json.get<double>())) throw NotFinite("summary: " + key + " is not finite");
+    if (json.is_number_float() && !std::isfinite(json.get<double>()))
+        throw NotFinite("summary: " + key + " is not finite");
     if (!json.is_structured()) return;
     for (const auto& [name, value] : json.items()) require_finite(value, json.is_object() ? name : key);
 }
 
 }  // namespace
 
-void write_summary(const std::filesystem::path& path, const Summary& summary, const parallel::Communicator& comm) {
+void write_summary(const std::filesystem::path& path, const Summary& summary,
+                   const parallel::Communicator& comm) {
     Json json;
     Agreement agreement(comm);
     agreement.attempt_on_root([&] {
@@ -75,7 +78,8 @@ void write_summary(const std::filesystem::path& path, const Summary& summary, co
     });
     agreement.settle<NotFinite>();
     // Text that is not UTF-8, as a path may be, is written with the character that stands for what it is not.
-    agreement.attempt_on_root([&] { replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); });
+    agreement.attempt_on_root(
+        [&] { replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); });
     agreement.settle<FileError>();
 }
 

@@ -11,7 +11,8 @@ namespace {
 // this growth keeps it.
 constexpr double thinnest = 0.25, most_growth = 3;
 
-/// Distances of the grid lines of one side from the fine point, ascending, the first one 0 and the last one `length`.
+/// Distances of the grid lines of one side from the fine point, ascending, the first one 0 and the last one
+/// `length`.
 std::vector<double> one_side(double length, const scene::PanelMesh& mesh) {
     std::vector<double> distance{0};
     double size = mesh.center;
@@ -30,11 +31,15 @@ std::vector<double> one_side(double length, const scene::PanelMesh& mesh) {
 }  // namespace
 
 std::vector<double> graded_line(double low, double high, double fine, const scene::PanelMesh& mesh) {
-    const auto side = [&](double length) { return length > 0 ? one_side(length, mesh) : std::vector<double>{0}; };
+    const auto side = [&](double length) {
+        return length > 0 ? one_side(length, mesh) : std::vector<double>{0};
+    };
     auto below = side(fine - low), above = side(high - fine);
     // A side of one element may be of any thickness; where it is a sliver the fine point moves to its end.
-    if (below.size() == 2 && above.size() > 1 && below[1] < thinnest * above[1]) return graded_line(low, high, low, mesh);
-    if (above.size() == 2 && below.size() > 1 && above[1] < thinnest * below[1]) return graded_line(low, high, high, mesh);
+    if (below.size() == 2 && above.size() > 1 && below[1] < thinnest * above[1])
+        return graded_line(low, high, low, mesh);
+    if (above.size() == 2 && below.size() > 1 && above[1] < thinnest * below[1])
+        return graded_line(low, high, high, mesh);
     std::vector<double> line;
     line.reserve(below.size() + above.size() - 1);
     for (auto d = below.rbegin(); d != below.rend(); ++d) line.push_back(fine - *d);

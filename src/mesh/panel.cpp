@@ -28,7 +28,8 @@ std::uint8_t held_by(scene::Edge edge) {
 double Panel::smallest_edge() const {
     double smallest = x.back() - x.front();
     for (const auto* line : {&x, &y})
-        for (std::size_t i = 1; i < line->size(); ++i) smallest = std::min(smallest, (*line)[i] - (*line)[i - 1]);
+        for (std::size_t i = 1; i < line->size(); ++i)
+            smallest = std::min(smallest, (*line)[i] - (*line)[i - 1]);
     return smallest;
 }
 
@@ -40,8 +41,8 @@ std::array<std::int64_t, 4> Panel::footprint(std::int64_t column) const {
 
 Vec3 Panel::position(std::int32_t ply, std::int64_t footprint_node) const {
     const auto stride = columns_x() + 1;
-    return {x[static_cast<std::size_t>(footprint_node % stride)], y[static_cast<std::size_t>(footprint_node / stride)],
-            plies[static_cast<std::size_t>(ply)].z};
+    return {x[static_cast<std::size_t>(footprint_node % stride)],
+            y[static_cast<std::size_t>(footprint_node / stride)], plies[static_cast<std::size_t>(ply)].z};
 }
 
 std::uint8_t Panel::supports(std::int64_t footprint_node) const {
@@ -61,7 +62,8 @@ Panel make_panel(const scene::Scene& scene) {
     Panel panel;
     const auto line = [&](std::size_t axis) {
         const double half = target.size[axis] / 2;
-        const double fine = target.symmetry[axis] || !scene.projectile ? 0.0 : scene.projectile->position[axis];
+        const double fine =
+            target.symmetry[axis] || !scene.projectile ? 0.0 : scene.projectile->position[axis];
         return graded_line(target.symmetry[axis] ? 0.0 : -half, half, fine, target.mesh);
     };
     panel.x = line(0);

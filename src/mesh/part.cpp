@@ -39,7 +39,8 @@ Part make_part(const Panel& panel, std::span<const std::int64_t> columns) {
         }
         for (const auto column : columns) {
             std::array<std::int32_t, 4> nodes{};
-            std::ranges::transform(panel.footprint(column), nodes.begin(), [&](auto node) { return offset + find(footprint, node); });
+            std::ranges::transform(panel.footprint(column), nodes.begin(),
+                                   [&](auto node) { return offset + find(footprint, node); });
             part.element_ids.push_back(ply * panel.columns() + column);
             part.element_nodes.push_back(nodes);
             part.element_plies.push_back(ply);

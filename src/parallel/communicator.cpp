@@ -20,7 +20,8 @@ void check(int code) {
 
 namespace {
 
-/// Keeps signals that ask for an end from this thread, and from threads that it starts, for as long as it lives.
+/// Keeps signals that ask for an end from this thread, and from threads that it starts, for as long as it
+/// lives.
 class HeldSignals {
   public:
     HeldSignals() {
@@ -59,7 +60,8 @@ Environment::Environment(int* argc, char*** argv) : exceptions_(std::uncaught_ex
 Environment::~Environment() {
     if (!is_outermost_) return;
     std::set_new_handler(nullptr);
-    if (ranks_ > 1 && std::uncaught_exceptions() > exceptions_) return;  // the others may not get here; leaving so ends them
+    if (ranks_ > 1 && std::uncaught_exceptions() > exceptions_)
+        return;  // the others may not get here; leaving so ends them
     MPI_Finalize();
 }
 
@@ -74,13 +76,15 @@ Communicator::~Communicator() {
     if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
 }
 
-Communicator::Communicator(Communicator&& other) noexcept : comm_(other.comm_), rank_(other.rank_), size_(other.size_) {
+Communicator::Communicator(Communicator&& other) noexcept
+    : comm_(other.comm_), rank_(other.rank_), size_(other.size_) {
     other.comm_ = MPI_COMM_NULL;
 }
 
 void Communicator::sum(std::span<std::int64_t> values) const {
     if (size_ == 1) return;
-    check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_SUM, comm_));
+    check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_SUM,
+                        comm_));
 }
 
 double Communicator::min(double value) const {
@@ -95,12 +99,14 @@ double Communicator::max(double value) const {
 
 void Communicator::max(std::span<double> values) const {
     if (size_ == 1) return;
-    check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, comm_));
+    check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
+                        comm_));
 }
 
 void Communicator::min(std::span<std::int64_t> values) const {
     if (size_ == 1) return;
-    check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_MIN, comm_));
+    check(MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_INT64_T, MPI_MIN,
+                        comm_));
 }
 
 bool Communicator::any(bool value) const {

@@ -25,7 +25,8 @@ Name create(std::size_t bytes) {
     for (;;) {
         std::snprintf(name.data(), name.size(), "/weavefront.%d.%d", static_cast<int>(::getpid()), made++);
         const int object = ::shm_open(name.data(), O_RDWR | O_CREAT | O_EXCL, 0600);
-        if (object < 0 && errno == EEXIST) continue;  // of a process of that number in another container, or one that was killed
+        if (object < 0 && errno == EEXIST)
+            continue;  // of a process of that number in another container, or one that was killed
         int cause = object < 0 ? errno : EINTR;
         while (cause == EINTR && object >= 0) cause = ::posix_fallocate(object, 0, static_cast<off_t>(bytes));
         if (object >= 0) ::close(object);
@@ -57,7 +58,8 @@ SharedMemory::SharedMemory(MPI_Comm host, std::size_t bytes) : bytes_(bytes) {
     check(MPI_Comm_size(host, &ranks));
     const Name own = create(bytes);
     std::vector<Name> names(static_cast<std::size_t>(ranks));
-    check(MPI_Allgather(own.data(), static_cast<int>(own.size()), MPI_CHAR, names.data(), static_cast<int>(own.size()), MPI_CHAR, host));
+    check(MPI_Allgather(own.data(), static_cast<int>(own.size()), MPI_CHAR, names.data(),
+                        static_cast<int>(own.size()), MPI_CHAR, host));
     const bool is_created = std::ranges::all_of(names, [](const Name& name) { return name[0] != '\0'; });
     for (const auto& name : names) pieces_.push_back(is_created ? map(name, bytes) : nullptr);
     const bool is_had = on_all(host, std::ranges::find(pieces_, nullptr) == pieces_.end());
@@ -67,7 +69,8 @@ SharedMemory::SharedMemory(MPI_Comm host, std::size_t bytes) : bytes_(bytes) {
 
 SharedMemory::~SharedMemory() { release(); }
 
-SharedMemory::SharedMemory(SharedMemory&& other) noexcept : bytes_(other.bytes_), pieces_(std::exchange(other.pieces_, {})) {}
+SharedMemory::SharedMemory(SharedMemory&& other) noexcept
+    : bytes_(other.bytes_), pieces_(std::exchange(other.pieces_, {})) {}
 
 SharedMemory& SharedMemory::operator=(SharedMemory&& other) noexcept {
     if (this != &other) {

@@ -20,8 +20,9 @@ std::size_t in_whole_lines(std::size_t bytes) { return (bytes + cache_line - 1) 
 
 }  // namespace
 
-// In shared memory, at the start of a rank's part. After it: where the message to each rank of the host begins, then the messages of even
-// turns, then those of odd ones. A rank writes those of a turn when all have read those of the turn before, not yet those of the last.
+// In shared memory, at the start of a rank's part. After it: where the message to each rank of the host
+// begins, then the messages of even turns, then those of odd ones. A rank writes those of a turn when all
+// have read those of the turn before, not yet those of the last.
 struct alignas(cache_line) SharedMemoryExchange::Header {
     std::uint64_t turn;  ///< of the last post; atomic
     std::size_t bytes;   ///< of the messages of a turn
@@ -82,7 +83,9 @@ std::size_t SharedMemoryExchange::before_messages() const {
     return in_whole_lines(sizeof(Header) + static_cast<std::size_t>(ranks_on_host_) * sizeof(std::size_t));
 }
 
-SharedMemoryExchange::Header& SharedMemoryExchange::header(int on_host) const { return *reinterpret_cast<Header*>(memory_.piece(on_host)); }
+SharedMemoryExchange::Header& SharedMemoryExchange::header(int on_host) const {
+    return *reinterpret_cast<Header*>(memory_.piece(on_host));
+}
 
 std::byte* SharedMemoryExchange::message(int from, int to, std::uint64_t turn) const {
     auto& header_of_sender = header(from);
@@ -97,7 +100,8 @@ std::byte* SharedMemoryExchange::outgoing(int rank) const {
 
 void SharedMemoryExchange::publish() {
     ++turn_;
-    if (ranks_on_host_ > 1 && !is_refused_) std::atomic_ref(header(rank_on_host_).turn).store(turn_, std::memory_order_release);
+    if (ranks_on_host_ > 1 && !is_refused_)
+        std::atomic_ref(header(rank_on_host_).turn).store(turn_, std::memory_order_release);
 }
 
 const std::byte* SharedMemoryExchange::incoming(int rank) const {

@@ -26,7 +26,9 @@ constexpr std::size_t most_levels = 64;
 // 40000 values.
 constexpr std::size_t most_values = 200'000;
 
-[[noreturn]] void refuse(const Location& where, std::string_view what) { throw InputError({fmt::format("{}: {}", where.text, what)}); }
+[[noreturn]] void refuse(const Location& where, std::string_view what) {
+    throw InputError({fmt::format("{}: {}", where.text, what)});
+}
 
 /// The maps that a merge key names.
 std::vector<Value> merged_maps(Entry entry) {
@@ -37,7 +39,8 @@ std::vector<Value> merged_maps(Entry entry) {
         maps.push_back(std::move(entry.value));
     for (const Value& map : maps)
         if (map.kind != Value::Kind::map)
-            refuse(map.where, fmt::format("<<: found {}, allowed a map or a list of maps, such as <<: *name", describe(map)));
+            refuse(map.where, fmt::format("<<: found {}, allowed a map or a list of maps, such as <<: *name",
+                                          describe(map)));
     return maps;
 }
 
@@ -80,16 +83,19 @@ class TreeBuilder : public YAML::EventHandler {
         count(known->second.values, at(mark));
         close(Value(known->second.value), 0, known->second.values);
     }
-    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& text) override {
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& text) override {
         const bool quoted = tag == "!";
         count(1, at(mark));
         close({.kind = Value::Kind::scalar, .where = at(mark), .text = text, .quoted = quoted}, anchor);
     }
-    void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+    void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                         YAML::EmitterStyle::value) override {
         open(mark, Value::Kind::list, anchor);
     }
     void OnSequenceEnd() override { close_top(); }
-    void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+    void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                    YAML::EmitterStyle::value) override {
         open(mark, Value::Kind::map, anchor);
     }
     void OnMapEnd() override {
@@ -113,18 +119,22 @@ class TreeBuilder : public YAML::EventHandler {
     std::map<YAML::anchor_t, Anchored> anchors_;
     std::size_t values_ = 0;
 
-    [[nodiscard]] Location at(const YAML::Mark& mark) const { return locate_(mark.line + 1, mark.column + 1); }
+    [[nodiscard]] Location at(const YAML::Mark& mark) const {
+        return locate_(mark.line + 1, mark.column + 1);
+    }
 
     void count(std::size_t values, const Location& where) {
         values_ += values;
         if (values_ > most_values)
-            refuse(where,
-                   fmt::format("found more than {} values, those that aliases repeat among them, allowed at most so many", most_values));
+            refuse(where, fmt::format("found more than {} values, those that aliases repeat among them, "
+                                      "allowed at most so many",
+                                      most_values));
     }
 
     void open(const YAML::Mark& mark, Value::Kind kind, YAML::anchor_t anchor) {
         count(1, at(mark));
-        if (open_.size() == most_levels) refuse(at(mark), fmt::format("found lists and maps nested deeper than {} levels", most_levels));
+        if (open_.size() == most_levels)
+            refuse(at(mark), fmt::format("found lists and maps nested deeper than {} levels", most_levels));
         open_.push_back({{.kind = kind, .where = at(mark)}, std::nullopt, anchor, 1});
     }
 
@@ -149,7 +159,8 @@ class TreeBuilder : public YAML::EventHandler {
             parent.value.entries.push_back(std::move(*parent.entry));
             parent.entry.reset();
         } else {
-            if (value.kind != Value::Kind::scalar) refuse(value.where, fmt::format("found {} as a key, allowed a name", describe(value)));
+            if (value.kind != Value::Kind::scalar)
+                refuse(value.where, fmt::format("found {} as a key, allowed a name", describe(value)));
             parent.entry = Entry{.key = value.text, .where = value.where, .quoted = value.quoted};
         }
     }
@@ -174,7 +185,8 @@ Value parse_document(const std::string& text, const Locate& locate) {
 namespace {
 
 bool looks_like_a_list(std::string_view text) {
-    return text.size() > 1 && ((text.front() == '[' && text.back() == ']') || (text.front() == '{' && text.back() == '}'));
+    return text.size() > 1 &&
+           ((text.front() == '[' && text.back() == ']') || (text.front() == '{' && text.back() == '}'));
 }
 
 }  // namespace
@@ -183,7 +195,8 @@ std::string describe(const Value& value) {
     switch (value.kind) {
         case Value::Kind::scalar:
             if (value.quoted && looks_like_a_list(value.text))
-                return fmt::format("'{}' in quotes, which make it a text (did you mean it without them?)", printable(value.text));
+                return fmt::format("'{}' in quotes, which make it a text (did you mean it without them?)",
+                                   printable(value.text));
             return fmt::format("'{}'", printable(value.text));
         case Value::Kind::list:
             return value.items.empty() ? "an empty list" : "a list";

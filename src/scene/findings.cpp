@@ -26,7 +26,9 @@ std::vector<std::string> first_of(const std::vector<std::string>& messages, std:
 }  // namespace
 
 InputError::InputError(std::vector<std::string> messages, std::size_t more)
-    : std::runtime_error(fmt::format("{}", fmt::join(first_of(messages, more), "\n"))), messages_(std::move(messages)), more_(more) {}
+    : std::runtime_error(fmt::format("{}", fmt::join(first_of(messages, more), "\n"))),
+      messages_(std::move(messages)),
+      more_(more) {}
 
 std::vector<std::string> InputError::shown() const { return first_of(messages_, more_); }
 
@@ -47,10 +49,12 @@ void Findings::add(const Location& where, std::string_view path, std::string_vie
     if (silent_) return;
     if (full()) return count(1);
     const std::string_view separator = path.empty() ? "" : ": ";
-    findings_.push_back({where.line, where.column, fmt::format("{}: {}{}{}", where.text, path, separator, what)});
+    findings_.push_back(
+        {where.line, where.column, fmt::format("{}: {}{}{}", where.text, path, separator, what)});
 }
 
-void Findings::add(const Location& where, std::string_view path, std::string_view found, std::string_view allowed, std::string_view hint) {
+void Findings::add(const Location& where, std::string_view path, std::string_view found,
+                   std::string_view allowed, std::string_view hint) {
     const std::string question = hint.empty() ? "" : fmt::format(", did you mean '{}'?", hint);
     add(where, path, fmt::format("found {}, allowed {}{}", found, allowed, question));
 }
@@ -63,7 +67,8 @@ void Findings::take(Findings& other) {
 
 std::vector<std::string> Findings::messages() const {
     std::vector<Finding> sorted = findings_;
-    std::ranges::stable_sort(sorted, {}, [](const Finding& finding) { return std::tuple(finding.line, finding.column); });
+    std::ranges::stable_sort(sorted, {},
+                             [](const Finding& finding) { return std::tuple(finding.line, finding.column); });
     std::vector<std::string> messages;
     for (Finding& finding : sorted) messages.push_back(std::move(finding.text));
     return messages;

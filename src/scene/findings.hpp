@@ -22,7 +22,8 @@ class Findings {
     void add(const Location& where, std::string_view path, std::string_view what);
 
     /// Notes `found ..., allowed ...[, did you mean 'hint'?]`. An empty `hint` is left out.
-    void add(const Location& where, std::string_view path, std::string_view found, std::string_view allowed, std::string_view hint = {});
+    void add(const Location& where, std::string_view path, std::string_view found, std::string_view allowed,
+             std::string_view hint = {});
 
     /// Counts findings without words.
     void count(std::size_t further) { more_ += silent_ ? 0 : further; }

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// The names that scene files give to the values of enumerations. Of several names for one value the first is written.
+/// The names that scene files give to the values of enumerations. Of several names for one value the first is
+/// written.
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,10 @@ namespace weavefront::scene {
 template <typename Enum, std::size_t N>
 using Names = std::array<std::pair<std::string_view, Enum>, N>;
 
-inline constexpr Names<Formulation, 2> formulation_names{{{"consistent", Formulation::consistent}, {"paper", Formulation::paper}}};
-inline constexpr Names<Erode, 2> erode_names{{{"both_yarns", Erode::both_yarns}, {"any_yarn", Erode::any_yarn}}};
+inline constexpr Names<Formulation, 2> formulation_names{
+    {{"consistent", Formulation::consistent}, {"paper", Formulation::paper}}};
+inline constexpr Names<Erode, 2> erode_names{
+    {{"both_yarns", Erode::both_yarns}, {"any_yarn", Erode::any_yarn}}};
 // Without rotations at the nodes a clamp and a pin are the same.
 inline constexpr Names<Edge, 6> edge_names{{{"fixed", Edge::fixed},
                                             {"sliding", Edge::sliding},

@@ -42,9 +42,11 @@ struct Cursor {
 Value* list_item(Value& list, const std::string& key, const Cursor& cursor) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
-    if (error == std::errc{} && end == key.data() + key.size() && index < list.items.size()) return &list.items[index];
+    if (error == std::errc{} && end == key.data() + key.size() && index < list.items.size())
+        return &list.items[index];
     cursor.findings.add(cursor.where, printable(cursor.path), fmt::format("'{}'", printable(key)),
-                        list.items.empty() ? "none: the list is empty" : fmt::format("an item from 0 to {}", list.items.size() - 1));
+                        list.items.empty() ? "none: the list is empty"
+                                           : fmt::format("an item from 0 to {}", list.items.size() - 1));
     return nullptr;
 }
 
@@ -54,7 +56,8 @@ Entry* map_entry(Value& map, const std::string& key, bool last, const Cursor& cu
     if (cursor.in_fabrics && !last) {
         std::vector<std::string> names;
         for (const Entry& fabric : map.entries) names.push_back(fabric.key);
-        cursor.findings.add(cursor.where, cursor.path, fmt::format("'{}'", key), "the name of a fabric of the scene", nearest(key, names));
+        cursor.findings.add(cursor.where, cursor.path, fmt::format("'{}'", key),
+                            "the name of a fabric of the scene", nearest(key, names));
         return nullptr;
     }
     map.entries.push_back({.key = key, .where = cursor.where, .value = {.where = cursor.where}});
@@ -64,13 +67,15 @@ Entry* map_entry(Value& map, const std::string& key, bool last, const Cursor& cu
 void place(Value& root, Value value, Cursor cursor) {
     const std::vector<std::string> keys = split(cursor.path);
     if (keys.size() > most_keys)
-        return cursor.findings.add(cursor.where, "", fmt::format("a path of {} keys", keys.size()), fmt::format("at most {}", most_keys));
+        return cursor.findings.add(cursor.where, "", fmt::format("a path of {} keys", keys.size()),
+                                   fmt::format("at most {}", most_keys));
     Value* at = &root;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const bool last = i + 1 == keys.size();
         if (at->kind == Value::Kind::null) at->kind = Value::Kind::map;
         if (at->kind == Value::Kind::scalar) {
-            cursor.findings.add(cursor.where, cursor.path, fmt::format("'{}' below {}", keys[i], describe(*at)), "keys of a map only");
+            cursor.findings.add(cursor.where, cursor.path,
+                                fmt::format("'{}' below {}", keys[i], describe(*at)), "keys of a map only");
             return;
         }
         if (at->kind == Value::Kind::list) {
@@ -88,11 +93,14 @@ void place(Value& root, Value value, Cursor cursor) {
     *at = std::move(value);
 }
 
-void place_text(Value& root, const std::string& path, const std::string& value, const Location& where, Findings& findings) {
+void place_text(Value& root, const std::string& path, const std::string& value, const Location& where,
+                Findings& findings) {
     try {
         place(root, parse_document(value, [&](int, int) { return where; }), {where, path, findings});
     } catch (const InputError& error) {
-        findings.add(where, path, std::string_view(error.messages().front()).substr(where.text.size() + 2));  // after `where: `
+        findings.add(
+            where, path,
+            std::string_view(error.messages().front()).substr(where.text.size() + 2));  // after `where: `
     }
 }
 
@@ -101,7 +109,8 @@ void place_text(Value& root, const std::string& path, const std::string& value, 
 void apply_settings(Value& root, std::span<const Setting> settings, Findings& findings) {
     int order = 0;
     for (const Setting& setting : settings) {
-        const Location where{.text = setting.where, .line = std::numeric_limits<int>::max(), .column = ++order};
+        const Location where{
+            .text = setting.where, .line = std::numeric_limits<int>::max(), .column = ++order};
         place_text(root, setting.path, setting.value, where, findings);
     }
 }
@@ -109,8 +118,9 @@ void apply_settings(Value& root, std::span<const Setting> settings, Findings& fi
 void apply_overrides(Value& root, const std::vector<std::string>& overrides, Findings& findings) {
     int order = 0;
     for (const std::string& text : overrides) {
-        const Location where{
-            .text = "--set " + printable(text, most_of_override), .line = std::numeric_limits<int>::max(), .column = ++order};
+        const Location where{.text = "--set " + printable(text, most_of_override),
+                             .line = std::numeric_limits<int>::max(),
+                             .column = ++order};
         std::size_t at = 0;
         if (const std::string fault = fault_of_text(text, at); !fault.empty()) {
             findings.add(where, "", fmt::format("found {}", fault));

@@ -13,9 +13,11 @@
 
 namespace weavefront::scene {
 
-/// Puts each override into the tree, creating the maps on its way; the reader then judges it as if it stood in the file.
+/// Puts each override into the tree, creating the maps on its way; the reader then judges it as if it stood
+/// in the file.
 /// @param root      tree of the scene
-/// @param overrides `PATH=VALUE`; PATH has dots between keys and numbers from 0 for list items, VALUE is YAML, empty: leave the key out
+/// @param overrides `PATH=VALUE`; PATH has dots between keys and numbers from 0 for list items, VALUE is
+/// YAML, empty: leave the key out
 /// @param findings  receives overrides that lead nowhere
 void apply_overrides(Value& root, const std::vector<std::string>& overrides, Findings& findings);
 

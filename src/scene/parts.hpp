@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// The readers of the scene's sections. Each notes in the section what is wrong and returns what it could read.
+/// The readers of the scene's sections. Each notes in the section what is wrong and returns what it could
+/// read.
 
 #include <optional>
 #include <span>
@@ -18,7 +19,8 @@ std::vector<Fabric> read_fabrics(Section& section);
 Target read_target(Section& section, std::span<const Fabric> fabrics);
 
 /// `target.plies`, a map for equal plies or a list; needs to know the symmetry.
-std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics, const std::array<bool, 2>& symmetry);
+std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics,
+                            const std::array<bool, 2>& symmetry);
 
 /// `projectile`. @param target null when the scene has none
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);

@@ -14,7 +14,8 @@ namespace {
 
 // A section that only the impact must have.
 template <typename Read>
-auto read_part(Section& root, std::string_view key, Need need, Read read) -> std::optional<std::invoke_result_t<Read, Section&>> {
+auto read_part(Section& root, std::string_view key, Need need, Read read)
+    -> std::optional<std::invoke_result_t<Read, Section&>> {
     if (need == Need::impact) return root.required(key, read);
     return root.optional(key, read);
 }
@@ -23,17 +24,22 @@ Scene read_parts(Section& root, Need need) {
     Scene scene;
     scene.title = root.text("title", "");
     scene.fabrics = root.required("fabrics", read_fabrics, "a map of names to fabrics");
-    scene.target = read_part(root, "target", need, [&](Section& section) { return read_target(section, scene.fabrics); });
+    scene.target = read_part(root, "target", need,
+                             [&](Section& section) { return read_target(section, scene.fabrics); });
     const Target* target = scene.target ? &*scene.target : nullptr;
-    scene.projectile = root.optional("projectile", [&](Section& section) { return read_projectile(section, scene.fabrics, target); });
+    scene.projectile = root.optional(
+        "projectile", [&](Section& section) { return read_projectile(section, scene.fabrics, target); });
     const Projectile* projectile = scene.projectile ? &*scene.projectile : nullptr;
     scene.contact =
-        root.optional("contact", [&](Section& section) { return read_contact(section, target, projectile); }).value_or(scene.contact);
+        root.optional("contact", [&](Section& section) { return read_contact(section, target, projectile); })
+            .value_or(scene.contact);
     scene.damping = root.quantity("damping", rate, non_negative, 0);
     scene.time = read_part(root, "time", need, read_time).value_or(scene.time);
     scene.limits = root.optional("limits", read_limits).value_or(scene.limits);
     const double end = scene.time.end > 0 ? scene.time.end : std::numeric_limits<double>::quiet_NaN();
-    scene.output = read_part(root, "output", need, [&](Section& section) { return read_output(section, end); }).value_or(scene.output);
+    scene.output = read_part(root, "output", need, [&](Section& section) {
+                       return read_output(section, end);
+                   }).value_or(scene.output);
 
     root.refuse_if(root.has_map("fabrics") && scene.fabrics.empty(), "fabrics", "at least one fabric");
     const bool other_fault = root.has("contact") && !root.has_map("contact");
@@ -45,9 +51,11 @@ Scene read_parts(Section& root, Need need) {
 
 }  // namespace
 
-Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides, Need need) {
+Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
+                  Need need) {
     return parse_changed_scene(
-        text, name, [&](Value& root, Findings& findings) { apply_overrides(root, overrides, findings); }, need);
+        text, name, [&](Value& root, Findings& findings) { apply_overrides(root, overrides, findings); },
+        need);
 }
 
 Scene parse_changed_scene(const std::string& text, const std::string& name, const Change& change, Need need) {
@@ -61,8 +69,10 @@ Scene parse_changed_scene(const std::string& text, const std::string& name, cons
         context.findings.add(start, "", describe(document), "a map of keys, beginning with title or fabrics");
         context.findings.raise();
     }
-    if (const Entry* variants = find(document, "variants"); variants != nullptr && find(document, "fabrics") == nullptr) {
-        context.findings.add(variants->value.where, "variants", "a study", "a scene; studies are computed by weavefront study");
+    if (const Entry* variants = find(document, "variants");
+        variants != nullptr && find(document, "fabrics") == nullptr) {
+        context.findings.add(variants->value.where, "variants", "a study",
+                             "a scene; studies are computed by weavefront study");
         context.findings.raise();
     }
     Section root(document, start, "", context);

@@ -28,8 +28,10 @@ double default_spacing(const Target* target, const Projectile* projectile) {
 }
 
 /// @param target none: any spacing will do
-std::optional<double> read_point_spacing(Section& section, const Target* target, const Projectile* projectile) {
-    constexpr double most_along_edge = 1000;  // far below what a projectile's edge resolves, and memory of every point
+std::optional<double> read_point_spacing(Section& section, const Target* target,
+                                         const Projectile* projectile) {
+    constexpr double most_along_edge =
+        1000;  // far below what a projectile's edge resolves, and memory of every point
     if (section.says("spacing", "nodes")) return std::nullopt;
     const double spacing = section.quantity("spacing", length, positive, default_spacing(target, projectile));
     section.refuse_if(target != nullptr && spacing < target->mesh.edge / most_along_edge, "spacing",
@@ -47,9 +49,11 @@ Contact read_contact(Section& section, const Target* target, const Projectile* p
     contact.spacing = read_point_spacing(section, target, projectile);
     contact.projectile = section.optional("projectile", [&](Section& law) { return read_law(law, rigid); });
     contact.plies = section.optional("plies", [&](Section& law) { return read_law(law, plies); });
-    contact.frame = section.optional("frame", [&](Section& law) { return read_law(law, rigid); }).value_or(rigid);
+    contact.frame =
+        section.optional("frame", [&](Section& law) { return read_law(law, rigid); }).value_or(rigid);
     const bool has_frame = target != nullptr && target->frame;
-    section.refuse_if(!has_frame && section.has("frame"), "frame", "only with an edge that rests on the frame (target.edges)");
+    section.refuse_if(!has_frame && section.has("frame"), "frame",
+                      "only with an edge that rests on the frame (target.edges)");
     section.unavailable({"friction"});
     return contact;
 }

@@ -21,16 +21,20 @@ Scene::Time read_time(Section& section) {
     return time;
 }
 
-Scene::Limits read_limits(Section& section) { return {.energy_error = section.quantity("energy_error", ratio, positive, 0.05)}; }
+Scene::Limits read_limits(Section& section) {
+    return {.energy_error = section.quantity("energy_error", ratio, positive, 0.05)};
+}
 
 Output read_output(Section& section, double end) {
     Output output;
     output.interval = section.quantity("interval", duration, non_negative);
     output.history = section.quantity("history", duration, positive);
-    output.fields = section.choices("fields", field_names, {Field::displacement, Field::stress, Field::broken});
+    output.fields =
+        section.choices("fields", field_names, {Field::displacement, Field::stress, Field::broken});
     std::ranges::sort(output.fields);
     section.refuse_if(output.interval > end, "interval", "at most the end of the run");
-    section.refuse_if(output.interval > 0 && end / output.interval > most_frames, "interval", "0 or at least a millionth of the run");
+    section.refuse_if(output.interval > 0 && end / output.interval > most_frames, "interval",
+                      "0 or at least a millionth of the run");
     section.refuse_if(output.history > end, "history", "at most the end of the run");
     section.unavailable({"checkpoint"});
     return output;

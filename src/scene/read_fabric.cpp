@@ -24,7 +24,8 @@ Elastic read_elastic(Section& section) {
     elastic.static_modulus = section.quantity("static_modulus", modulus, positive);
     elastic.hooke_modulus = section.quantity("hooke_modulus", modulus, positive);
     elastic.viscosity = section.quantity("viscosity", viscosity, non_negative, 0);
-    section.refuse_if(elastic.hooke_modulus <= elastic.static_modulus, "hooke_modulus", "more than static_modulus");
+    section.refuse_if(elastic.hooke_modulus <= elastic.static_modulus, "hooke_modulus",
+                      "more than static_modulus");
     return elastic;
 }
 
@@ -58,8 +59,8 @@ struct ContactThickness {
     const char* source;
 };
 
-/// Distance at which two plies touch when nothing is said: the fabric's own thickness. A crimp height that stands for more than the
-/// geometry says nothing of it, and fibre without air is the least.
+/// Distance at which two plies touch when nothing is said: the fabric's own thickness. A crimp height that
+/// stands for more than the geometry says nothing of it, and fibre without air is the least.
 ContactThickness default_contact_thickness(const Fabric& fabric) {
     const double slope = fabric.thickness / (2 * fabric.yarn.span), crimp = std::hypot(1, slope) - 1;
     const bool is_geometric = crimp <= most_crimp && fabric.thickness > fabric.effective_thickness();
@@ -76,13 +77,15 @@ Fabric read_fabric(Section& section) {
     fabric.thickness = section.quantity("thickness", length, non_negative);
     fabric.elastic = section.required("elastic", read_elastic);
     fabric.failure = section.optional("failure", read_failure);
-    fabric.lateral = section.optional("lateral", [&](Section& lateral) { return read_lateral(lateral, fabric.yarn); });
+    fabric.lateral =
+        section.optional("lateral", [&](Section& lateral) { return read_lateral(lateral, fabric.yarn); });
     fabric.friction = section.quantity("friction", ratio, non_negative, 0);
     fabric.transverse_shear = section.quantity("transverse_shear", modulus, non_negative, 0);
     fabric.hourglass = section.quantity("hourglass", ratio, non_negative, fabric.hourglass);
     const ContactThickness otherwise = default_contact_thickness(fabric);
     fabric.contact_thickness = section.quantity("contact_thickness", length, positive, otherwise.value);
-    fabric.contact_thickness_source = section.has("contact_thickness") ? "contact_thickness" : otherwise.source;
+    fabric.contact_thickness_source =
+        section.has("contact_thickness") ? "contact_thickness" : otherwise.source;
     return fabric;
 }
 
@@ -95,7 +98,8 @@ std::vector<Fabric> read_fabrics(Section& section) {
     section.require_at_most(names.size(), most_fabrics, "fabrics");
     for (const std::string& name : names) {
         // The paths of overrides and messages have dots between keys.
-        section.refuse_if(name.empty() || name.find_first_of(".=") != name.npos, name, "a name without '.' and '='");
+        section.refuse_if(name.empty() || name.find_first_of(".=") != name.npos, name,
+                          "a name without '.' and '='");
         fabrics.push_back(section.required(name, read_fabric));
         fabrics.back().name = name;
     }

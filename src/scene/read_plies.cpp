@@ -40,13 +40,16 @@ Ply read_ply(Section& section, const Stack& stack) {
     // A mirrored ply continues the modelled one only if its yarns run along and across the plane of symmetry.
     const double quarter_turns = ply.angle / (std::numbers::pi / 2);
     const bool askew = std::abs(quarter_turns - std::round(quarter_turns)) > 1e-9;
-    section.refuse_if(stack.symmetric && askew, "angle", "a multiple of 90 deg where the target has a symmetry");
+    section.refuse_if(stack.symmetric && askew, "angle",
+                      "a multiple of 90 deg where the target has a symmetry");
     return ply;
 }
 
 // Distance of the mid-surfaces of a ply and the one before it.
 double read_spacing(Section& section, const Stack& stack, std::int32_t fabric, std::int32_t before) {
-    const auto thickness = [&](std::int32_t i) { return i < 0 ? 0 : stack.fabrics[static_cast<std::size_t>(i)].contact_thickness; };
+    const auto thickness = [&](std::int32_t i) {
+        return i < 0 ? 0 : stack.fabrics[static_cast<std::size_t>(i)].contact_thickness;
+    };
     const double touching = (thickness(before) + thickness(fabric)) / 2;
     if (section.has("gap")) {
         section.refuse_if(section.has("spacing"), "gap", "either spacing or gap");
@@ -87,7 +90,8 @@ std::vector<Ply> read_listed_plies(Section& target, const Stack& stack) {
 
 }  // namespace
 
-std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics, const std::array<bool, 2>& symmetry) {
+std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics,
+                            const std::array<bool, 2>& symmetry) {
     const Stack stack{fabrics, symmetry[0] || symmetry[1]};
     std::vector<Ply> plies;
     if (target.has_list("plies")) {

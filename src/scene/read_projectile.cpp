@@ -18,17 +18,20 @@ double steel_length(const Projectile& projectile) {
 
 void read_cylinder(Section& section, Projectile& projectile) {
     projectile.edge_radius = section.quantity("edge_radius", length, non_negative, 0);
-    section.refuse_if(projectile.edge_radius > projectile.diameter / 2, "edge_radius", "at most half the diameter");
+    section.refuse_if(projectile.edge_radius > projectile.diameter / 2, "edge_radius",
+                      "at most half the diameter");
     projectile.length = section.quantity("length", length, positive, steel_length(projectile));
-    section.refuse_if(projectile.length < 2 * projectile.edge_radius, "length", "at least twice the edge radius");
+    section.refuse_if(projectile.length < 2 * projectile.edge_radius, "length",
+                      "at least twice the edge radius");
 }
 
 // The shot must start in front of the target, hit it, and lie in the planes of symmetry.
 void check_shot(Section& section, const Projectile& projectile, const Target& target, double surface) {
     const double rounding = 1e-9;
     const MessageUnit z_unit = section.unit_of("position", length, 2);
-    section.refuse_item_if(projectile.position[2] > surface * (1 - rounding), "position", 2,
-                           fmt::format("at most {}: the nose starts in front of the first ply", at_most_text(surface, z_unit)));
+    section.refuse_item_if(
+        projectile.position[2] > surface * (1 - rounding), "position", 2,
+        fmt::format("at most {}: the nose starts in front of the first ply", at_most_text(surface, z_unit)));
     section.refuse_item_if(projectile.velocity[2] <= 0, "velocity", 2, "more than 0: towards the target");
     for (const auto& [name, axis] : axis_names) {
         const double half = target.size[axis] / 2;
@@ -36,8 +39,10 @@ void check_shot(Section& section, const Projectile& projectile, const Target& ta
         section.refuse_item_if(std::abs(projectile.position[axis]) > half, "position", axis,
                                fmt::format("from -{0} to {0}: over the target", at_most_text(half, unit)));
         if (!target.symmetry[axis]) continue;
-        section.refuse_item_if(std::abs(projectile.position[axis]) > 0, "position", axis, fmt::format("0 with symmetry {}", name));
-        section.refuse_item_if(std::abs(projectile.velocity[axis]) > 0, "velocity", axis, fmt::format("0 with symmetry {}", name));
+        section.refuse_item_if(std::abs(projectile.position[axis]) > 0, "position", axis,
+                               fmt::format("0 with symmetry {}", name));
+        section.refuse_item_if(std::abs(projectile.velocity[axis]) > 0, "velocity", axis,
+                               fmt::format("0 with symmetry {}", name));
     }
 }
 
@@ -45,18 +50,22 @@ void check_shot(Section& section, const Projectile& projectile, const Target& ta
 
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target) {
     Projectile projectile;
-    projectile.shape = section.choice("shape", shape_names, std::nullopt, {"cone", "ogive", "fsp", "hemisphere", "mesh", "profile"});
+    projectile.shape = section.choice("shape", shape_names, std::nullopt,
+                                      {"cone", "ogive", "fsp", "hemisphere", "mesh", "profile"});
     projectile.diameter = section.quantity("diameter", length, positive);
     projectile.mass = section.quantity("mass", mass, positive);
     if (projectile.shape == Shape::cylinder) {
         read_cylinder(section, projectile);
     } else {
-        for (const std::string_view key : {"edge_radius", "length"}) section.refuse_if(section.has(key), key, "none for a sphere");
+        for (const std::string_view key : {"edge_radius", "length"})
+            section.refuse_if(section.has(key), key, "none for a sphere");
     }
 
     const bool hits_fabric = target != nullptr && !target->plies.empty() && target->plies[0].fabric >= 0;
-    const double surface = hits_fabric ? -fabrics[static_cast<std::size_t>(target->plies[0].fabric)].contact_thickness / 2 : 0;
-    projectile.position = section.vector<3>("position", length, any_value, std::array<double, 3>{0, 0, surface});
+    const double surface =
+        hits_fabric ? -fabrics[static_cast<std::size_t>(target->plies[0].fabric)].contact_thickness / 2 : 0;
+    projectile.position =
+        section.vector<3>("position", length, any_value, std::array<double, 3>{0, 0, surface});
     projectile.velocity = section.vector<3>("velocity", speed, any_value);
     if (hits_fabric) check_shot(section, projectile, *target, surface);
     section.unavailable({"rotation", "angular_velocity", "orientation", "inertia", "friction", "file"});

@@ -13,7 +13,8 @@
 namespace weavefront::scene {
 namespace {
 
-constexpr Names<Compute, 3> compute_names{{{"impact", Compute::impact}, {"yarn", Compute::yarn}, {"cell", Compute::cell}}};
+constexpr Names<Compute, 3> compute_names{
+    {{"impact", Compute::impact}, {"yarn", Compute::yarn}, {"cell", Compute::cell}}};
 constexpr Names<Norm, 3> norm_names{{{"l1", Norm::l1}, {"l2", Norm::l2}, {"max", Norm::max}}};
 
 constexpr double most_variants = 10'000;
@@ -22,7 +23,8 @@ constexpr std::size_t most_quantities = 100;
 /// Reads one study; keeps what its parts share.
 class Reader {
   public:
-    Reader(Section& root, Context& context, std::filesystem::path folder) : root_(root), context_(context), folder_(std::move(folder)) {}
+    Reader(Section& root, Context& context, std::filesystem::path folder)
+        : root_(root), context_(context), folder_(std::move(folder)) {}
 
     Study read(const std::function<Vocabulary(Compute)>& vocabulary) {
         Study study;
@@ -37,7 +39,9 @@ class Reader {
             root_.refuse_if(true, "variants", "a list of axes, such as - {target.mesh.center: [2 mm, 1 mm]}");
         require_few_variants(study.axes);
         study.order = order(study.axes);
-        study.reference = root_.optional("reference", [&](Section& section) { return reference(section, study); }).value_or(Reference{});
+        study.reference =
+            root_.optional("reference", [&](Section& section) { return reference(section, study); })
+                .value_or(Reference{});
         study.quantities = quantities();
         tolerances(study.quantities);
         read_tests(root_, study.compute, folder_);
@@ -49,15 +53,17 @@ class Reader {
     }
 
   private:
-    [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& path) const { return (folder_ / path).lexically_normal(); }
+    [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& path) const {
+        return (folder_ / path).lexically_normal();
+    }
 
     /// The product of a few axes can be of any size.
     void require_few_variants(const std::vector<Axis>& axes) {
         double count = 1;
         for (const Axis& axis : axes) count *= static_cast<double>(axis.choices.size());
         if (count <= most_variants) return;
-        context_.findings.add(root_.raw("variants")->value.where, "variants", fmt::format("{} variants", count),
-                              fmt::format("at most {}", most_variants));
+        context_.findings.add(root_.raw("variants")->value.where, "variants",
+                              fmt::format("{} variants", count), fmt::format("at most {}", most_variants));
         context_.findings.raise();
     }
 
@@ -66,7 +72,8 @@ class Reader {
     }
 
     /// Notes a finding unless `name` is one of `names`.
-    void require_listed(const Location& where, const std::string& path, const std::string& name, const std::vector<std::string>& names) {
+    void require_listed(const Location& where, const std::string& path, const std::string& name,
+                        const std::vector<std::string>& names) {
         if (std::ranges::find(names, name) != names.end()) return;
         context_.findings.add(where, path, "'" + name + "'", listed(names), nearest(name, names));
     }
@@ -85,8 +92,10 @@ class Reader {
         }
         const auto index = static_cast<std::size_t>(found - names.begin());
         const std::vector<Choice>& choices = axes[index].choices;
-        const bool numbers = std::ranges::all_of(choices, [](const Choice& choice) { return choice.value > 0.0; });
-        root_.refuse_if(!choices.empty() && (!numbers || choices.size() < 2), "order", "an axis of at least two positive quantities");
+        const bool numbers =
+            std::ranges::all_of(choices, [](const Choice& choice) { return choice.value > 0.0; });
+        root_.refuse_if(!choices.empty() && (!numbers || choices.size() < 2), "order",
+                        "an axis of at least two positive quantities");
         return index;
     }
 
@@ -101,7 +110,8 @@ class Reader {
         if (const Entry* entry = section.raw("closed_form")) {
             reference.kind = Reference::Kind::closed_form;
             reference.closed_form = section.text("closed_form");
-            require_listed(entry->value.where, "reference.closed_form", reference.closed_form, words_.closed_forms);
+            require_listed(entry->value.where, "reference.closed_form", reference.closed_form,
+                           words_.closed_forms);
             ++given;
         }
         if (section.has("file")) {
@@ -112,17 +122,20 @@ class Reader {
         const std::vector<std::string> keys = section.keys();
         const bool unknown = keys.size() > given;  // reported as such
         if (given != 1 && !unknown)
-            context_.findings.add(root_.raw("reference")->where, "reference",
-                                  keys.empty() ? "an empty map" : fmt::format("the keys {}", fmt::join(keys, ", ")),
-                                  "one of the keys variant, closed_form, file");
+            context_.findings.add(
+                root_.raw("reference")->where, "reference",
+                keys.empty() ? "an empty map" : fmt::format("the keys {}", fmt::join(keys, ", ")),
+                "one of the keys variant, closed_form, file");
         return reference;
     }
 
     std::vector<Measure> quantities() {
         std::vector<Measure> quantities;
         const Entry* entry = root_.raw("quantities");
-        const bool list = entry != nullptr && entry->value.kind == Value::Kind::list && !entry->value.items.empty();
-        root_.refuse_if(!list, "quantities", "a list, such as [residual_velocity, {history: projectile_vz, norm: l2}]");
+        const bool list =
+            entry != nullptr && entry->value.kind == Value::Kind::list && !entry->value.items.empty();
+        root_.refuse_if(!list, "quantities",
+                        "a list, such as [residual_velocity, {history: projectile_vz, norm: l2}]");
         if (!list) return quantities;
         root_.require_at_most(entry->value.items.size(), most_quantities, "quantities");
         for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
@@ -138,11 +151,14 @@ class Reader {
                 quantities.push_back(compared(section, item, path));
                 section.refuse_unknown();
             } else {
-                context_.findings.add(item.where, path, describe(item), "a name, or a map with the key history or field");
+                context_.findings.add(item.where, path, describe(item),
+                                      "a name, or a map with the key history or field");
             }
             const auto before = quantities.end() - (quantities.empty() ? 0 : 1);
-            if (std::any_of(quantities.begin(), before, [&](const Measure& other) { return other.name == before->name; }))
-                context_.findings.add(item.where, path, fmt::format("'{}' again", before->name), "each quantity once");
+            if (std::any_of(quantities.begin(), before,
+                            [&](const Measure& other) { return other.name == before->name; }))
+                context_.findings.add(item.where, path, fmt::format("'{}' again", before->name),
+                                      "each quantity once");
         }
         return quantities;
     }
@@ -170,10 +186,14 @@ class Reader {
     /// Whether some quantity has this name in study.csv.
     [[nodiscard]] bool could_be_quantity(const std::string& name) const {
         const auto is_history = [&](const std::string& column) {
-            return std::ranges::any_of(norm_names, [&](const auto& norm) { return name == fmt::format("{}_{}", column, norm.first); });
+            return std::ranges::any_of(norm_names, [&](const auto& norm) {
+                return name == fmt::format("{}_{}", column, norm.first);
+            });
         };
-        return std::ranges::find(words_.outcomes, name) != words_.outcomes.end() || std::ranges::any_of(words_.columns, is_history) ||
-               std::ranges::any_of(words_.fields, [&](const std::string& field) { return name == field + "_field"; });
+        return std::ranges::find(words_.outcomes, name) != words_.outcomes.end() ||
+               std::ranges::any_of(words_.columns, is_history) ||
+               std::ranges::any_of(words_.fields,
+                                   [&](const std::string& field) { return name == field + "_field"; });
     }
 
     void tolerances(std::vector<Measure>& quantities) {
@@ -182,13 +202,15 @@ class Reader {
             [&](Section& section) {
                 std::vector<std::string> names;
                 for (const Measure& quantity : quantities) names.push_back(quantity.name);
-                const bool quantities_known = std::ranges::all_of(names, [&](const std::string& name) { return could_be_quantity(name); });
+                const bool quantities_known = std::ranges::all_of(
+                    names, [&](const std::string& name) { return could_be_quantity(name); });
                 const std::vector<std::string> keys = section.keys();
                 section.require_at_most(keys.size(), most_quantities, "tolerances");
                 for (const std::string& key : keys) {
                     // Where a quantity is mistyped, the tolerance of what was meant is not a fault of its
                     // own.
-                    if (quantities_known || !could_be_quantity(key)) require_listed(section.raw(key)->where, "tolerance", key, names);
+                    if (quantities_known || !could_be_quantity(key))
+                        require_listed(section.raw(key)->where, "tolerance", key, names);
                     const double value = section.quantity(key, ratio, non_negative);
                     for (Measure& quantity : quantities)
                         if (quantity.name == key) quantity.tolerance = value;
@@ -207,7 +229,8 @@ class Reader {
 
 }  // namespace
 
-Study parse_study(const std::string& text, const std::string& name, const std::function<Vocabulary(Compute)>& vocabulary) {
+Study parse_study(const std::string& text, const std::string& name,
+                  const std::function<Vocabulary(Compute)>& vocabulary) {
     const Value document = parse_document(text, [&](int line, int column) {
         return Location{fmt::format("{}:{}:{}", name, line, column), line, column};
     });

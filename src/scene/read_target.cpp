@@ -27,16 +27,19 @@ std::array<Edge, 2> read_edges(Section& section) {
 }
 
 // Bars stand where edges rest on the frame, and only there.
-std::optional<Frame> read_frame(Section& target, const std::array<Edge, 2>& edges, const std::array<double, 2>& size) {
+std::optional<Frame> read_frame(Section& target, const std::array<Edge, 2>& edges,
+                                const std::array<double, 2>& size) {
     const bool rests = edges[0] == Edge::frame || edges[1] == Edge::frame;
-    target.refuse_if(!rests && target.has("frame"), "frame", "a frame where an edge rests on it: edges: {x: frame} or {y: frame}");
+    target.refuse_if(!rests && target.has("frame"), "frame",
+                     "a frame where an edge rests on it: edges: {x: frame} or {y: frame}");
     if (!rests) return std::nullopt;
     return target.required("frame", [&](Section& section) {
         Frame frame;
         frame.edge_radius = section.quantity("edge_radius", length, non_negative, 1e-3);
         section.required("opening", [&](Section& opening) {
             for (const auto& [name, axis] : axis_names) {
-                opening.refuse_if(edges[axis] != Edge::frame && opening.has(name), name, fmt::format("only where edges.{} is frame", name));
+                opening.refuse_if(edges[axis] != Edge::frame && opening.has(name), name,
+                                  fmt::format("only where edges.{} is frame", name));
                 if (edges[axis] != Edge::frame) continue;
                 frame.half_opening[axis] = opening.quantity(name, length, positive) / 2;
                 opening.refuse_if(*frame.half_opening[axis] >= size[axis] / 2, name,
@@ -54,7 +57,8 @@ double elements_over(double distance, const PanelMesh& mesh) {
     if (mesh.growth == 1 || mesh.edge == mesh.center) return distance / mesh.center;
     const double growing = std::log(mesh.edge / mesh.center) / std::log(mesh.growth);
     const double covered = (mesh.edge - mesh.center) / (mesh.growth - 1);
-    if (distance <= covered) return std::log1p(distance * (mesh.growth - 1) / mesh.center) / std::log(mesh.growth);
+    if (distance <= covered)
+        return std::log1p(distance * (mesh.growth - 1) / mesh.center) / std::log(mesh.growth);
     return growing + (distance - covered) / mesh.edge;
 }
 
@@ -81,11 +85,13 @@ Target read_target(Section& section, std::span<const Fabric> fabrics) {
     target.mesh = section.required("mesh", [&](Section& mesh_section) {
         PanelMesh mesh = read_mesh(mesh_section);
         mesh_section.refuse_if(mesh.center > half, "center",
-                               fmt::format("at most {}, half of the target", at_most_text(half, mesh_section.unit_of("center", length))));
+                               fmt::format("at most {}, half of the target",
+                                           at_most_text(half, mesh_section.unit_of("center", length))));
         return mesh;
     });
     const double nodes = nodes_of_ply(target);
-    section.refuse_if(nodes > most_nodes, "mesh", fmt::format("sizes that give at most {} nodes a ply, not {:.3g}", most_nodes, nodes));
+    section.refuse_if(nodes > most_nodes, "mesh",
+                      fmt::format("sizes that give at most {} nodes a ply, not {:.3g}", most_nodes, nodes));
     section.unavailable({"file"});
     return target;
 }

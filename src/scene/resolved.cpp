@@ -29,15 +29,17 @@ void write_fabric(std::string& text, const Fabric& f) {
     line(text, "    density: {} kg/m^3", f.density);
     line(text, "    yarn: {{span: {} m, area: {} m^2, width: {} m}}", f.yarn.span, f.yarn.area, f.yarn.width);
     line(text, "    thickness: {} m", f.thickness);
-    line(text, "    elastic: {{static_modulus: {} Pa, hooke_modulus: {} Pa, viscosity: {} Pa s}}", f.elastic.static_modulus,
-         f.elastic.hooke_modulus, f.elastic.viscosity);
+    line(text, "    elastic: {{static_modulus: {} Pa, hooke_modulus: {} Pa, viscosity: {} Pa s}}",
+         f.elastic.static_modulus, f.elastic.hooke_modulus, f.elastic.viscosity);
     if (f.failure) {
-        line(text, "    failure: {{static_strain: {}, hooke_strain: {}, erode: {}}}", f.failure->static_strain, f.failure->hooke_strain,
-             name_of(f.failure->erode, erode_names));
+        line(text, "    failure: {{static_strain: {}, hooke_strain: {}, erode: {}}}",
+             f.failure->static_strain, f.failure->hooke_strain, name_of(f.failure->erode, erode_names));
     }
     if (f.lateral) {
-        line(text, "    lateral: {{modulus: {} Pa, shear_modulus: {} Pa, locking_angle: {} rad, transition: {} rad}}", f.lateral->modulus,
-             f.lateral->shear_modulus, f.lateral->locking_angle, f.lateral->transition);
+        line(text,
+             "    lateral: {{modulus: {} Pa, shear_modulus: {} Pa, locking_angle: {} rad, transition: {} "
+             "rad}}",
+             f.lateral->modulus, f.lateral->shear_modulus, f.lateral->locking_angle, f.lateral->transition);
     }
     line(text, "    friction: {}", f.friction);
     line(text, "    transverse_shear: {} Pa", f.transverse_shear);
@@ -59,16 +61,19 @@ void write_target(std::string& text, const Target& target, const std::vector<Fab
         const std::string fabric = quoted(fabrics[static_cast<std::size_t>(ply.fabric)].name);
         line(text, "    - {{fabric: {}, angle: {} rad{}}}", fabric, ply.angle, spacing);
     }
-    line(text, "  mesh: {{center: {} m, edge: {} m, growth: {}}}", target.mesh.center, target.mesh.edge, target.mesh.growth);
+    line(text, "  mesh: {{center: {} m, edge: {} m, growth: {}}}", target.mesh.center, target.mesh.edge,
+         target.mesh.growth);
     line(text, "  symmetry: [{}]", fmt::join(symmetry, ", "));
-    line(text, "  edges: {{x: {}, y: {}}}", name_of(target.edges[0], edge_names), name_of(target.edges[1], edge_names));
+    line(text, "  edges: {{x: {}, y: {}}}", name_of(target.edges[0], edge_names),
+         name_of(target.edges[1], edge_names));
     if (target.frame) {
         std::vector<std::string> openings;
         for (const auto& [name, axis] : axis_names) {
             const auto& half = target.frame->half_opening[axis];
             if (half) openings.push_back(fmt::format("{}: {} m", name, 2 * *half));
         }
-        line(text, "  frame: {{opening: {{{}}}, edge_radius: {} m}}", fmt::join(openings, ", "), target.frame->edge_radius);
+        line(text, "  frame: {{opening: {{{}}}, edge_radius: {} m}}", fmt::join(openings, ", "),
+             target.frame->edge_radius);
     }
 }
 
@@ -87,7 +92,8 @@ void write_projectile(std::string& text, const Projectile& p) {
 
 void write_law(std::string& text, std::string_view key, const std::optional<ContactLaw>& law) {
     if (!law) return;
-    line(text, "  {}: {{stiffness: {} N/m^3, unloading: {}, damping: {}}}", key, law->stiffness, law->unloading, law->damping);
+    line(text, "  {}: {{stiffness: {} N/m^3, unloading: {}, damping: {}}}", key, law->stiffness,
+         law->unloading, law->damping);
 }
 
 void write_contact(std::string& text, const Contact& contact, bool has_frame) {
@@ -101,7 +107,8 @@ void write_contact(std::string& text, const Contact& contact, bool has_frame) {
 void write_output(std::string& text, const Output& output) {
     std::vector<std::string_view> fields;
     for (const Field field : output.fields) fields.push_back(name_of(field, field_names));
-    line(text, "output: {{interval: {} s, history: {} s, fields: [{}]}}", output.interval, output.history, fmt::join(fields, ", "));
+    line(text, "output: {{interval: {} s, history: {} s, fields: [{}]}}", output.interval, output.history,
+         fmt::join(fields, ", "));
 }
 
 }  // namespace
@@ -116,7 +123,8 @@ std::string resolved_text(const Scene& scene) {
     write_contact(text, scene.contact, scene.target && scene.target->frame);
     line(text, "damping: {} 1/s", scene.damping);
     if (scene.time.end > 0)
-        line(text, "time: {{end: {} s, safety: {}, stop: {}}}", scene.time.end, scene.time.safety, name_of(scene.time.stop, stop_names));
+        line(text, "time: {{end: {} s, safety: {}, stop: {}}}", scene.time.end, scene.time.safety,
+             name_of(scene.time.stop, stop_names));
     line(text, "limits: {{energy_error: {}}}", scene.limits.energy_error);
     if (scene.output.history > 0) write_output(text, scene.output);
     return text;

@@ -17,11 +17,13 @@ namespace {
 constexpr std::string_view later_version = "not available in this version";
 
 std::string allowed_quantity(const Dimension& dimension, const Range& range) {
-    return fmt::format("{}{}, such as '{}'", dimension.name, range.text, range.example.empty() ? dimension.example : range.example);
+    return fmt::format("{}{}, such as '{}'", dimension.name, range.text,
+                       range.example.empty() ? dimension.example : range.example);
 }
 
 std::optional<MessageUnit> written_unit(const Value& value, const Dimension& dimension, const Units& units) {
-    const Quantity quantity = value.kind == Value::Kind::scalar ? units.read(value.text, dimension) : Quantity{};
+    const Quantity quantity =
+        value.kind == Value::Kind::scalar ? units.read(value.text, dimension) : Quantity{};
     if (!quantity.problem.empty() || quantity.unit.empty()) return std::nullopt;
     return MessageUnit{quantity.unit, units.read("1 " + quantity.unit, dimension).value, true};
 }
@@ -34,7 +36,8 @@ Section::Section(const Value& value, Location where, std::string path, Context& 
     for (const Entry& candidate : map_->entries) {
         const auto [first, is_new] = firsts.try_emplace(candidate.key, &candidate);
         if (!is_new)
-            context_.findings.add(candidate.where, inside(candidate.key), "the key again, first at " + first->second->where.text, "once");
+            context_.findings.add(candidate.where, inside(candidate.key),
+                                  "the key again, first at " + first->second->where.text, "once");
     }
 }
 
@@ -68,21 +71,24 @@ std::string Section::inside(std::string_view key) const {
     return path_.empty() ? printable(key) : fmt::format("{}.{}", path_, printable(key));
 }
 
-double Section::quantity(std::string_view key, const Dimension& dimension, const Range& range, std::optional<double> otherwise) {
+double Section::quantity(std::string_view key, const Dimension& dimension, const Range& range,
+                         std::optional<double> otherwise) {
     const Entry* found = entry(key);
     if (found != nullptr) return read_quantity(found->value, inside(key), dimension, range);
     if (!otherwise) context_.findings.add(where_, inside(key), "nothing", allowed_quantity(dimension, range));
     return otherwise.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-double Section::read_quantity(const Value& value, const std::string& path, const Dimension& dimension, const Range& range) {
+double Section::read_quantity(const Value& value, const std::string& path, const Dimension& dimension,
+                              const Range& range) {
     std::string found = describe(value), meant;
     if (value.kind == Value::Kind::scalar) {
         const Quantity quantity = context_.units.read(value.text, dimension);
         const bool low = range.low_included ? quantity.value < range.low : quantity.value <= range.low;
         if (quantity.problem.empty() && !low && quantity.value <= range.high) {
             if (dimension.unit != nullptr && !(context_.message_units.*dimension.unit).written)
-                if (auto unit = written_unit(value, dimension, context_.units)) context_.message_units.*dimension.unit = std::move(*unit);
+                if (auto unit = written_unit(value, dimension, context_.units))
+                    context_.message_units.*dimension.unit = std::move(*unit);
             return quantity.value;
         }
         if (!quantity.problem.empty()) found += ", " + quantity.problem;
@@ -92,14 +98,18 @@ double Section::read_quantity(const Value& value, const std::string& path, const
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-void Section::components(std::string_view key, const Dimension& dimension, const Range& range, std::span<double> values) {
+void Section::components(std::string_view key, const Dimension& dimension, const Range& range,
+                         std::span<double> values) {
     const Entry* found = entry(key);
-    const std::string allowed = fmt::format("a list of {}, each {}", values.size(), allowed_quantity(dimension, range));
+    const std::string allowed =
+        fmt::format("a list of {}, each {}", values.size(), allowed_quantity(dimension, range));
     if (found == nullptr) return context_.findings.add(where_, inside(key), "nothing", allowed);
     const Value& list = found->value;
-    if (list.kind != Value::Kind::list) return context_.findings.add(list.where, inside(key), describe(list), allowed);
+    if (list.kind != Value::Kind::list)
+        return context_.findings.add(list.where, inside(key), describe(list), allowed);
     if (list.items.size() != values.size()) {
-        return context_.findings.add(list.where, inside(key), fmt::format("a list of {}", list.items.size()), allowed);
+        return context_.findings.add(list.where, inside(key), fmt::format("a list of {}", list.items.size()),
+                                     allowed);
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = read_quantity(list.items[i], fmt::format("{}.{}", inside(key), i), dimension, range);
@@ -116,7 +126,8 @@ std::int64_t Section::count(std::string_view key, std::int64_t high) {
     const std::string& digits = found->value.text;
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc{} && end == digits.data() + digits.size() && value >= 1 && value <= high) return value;
+    if (error == std::errc{} && end == digits.data() + digits.size() && value >= 1 && value <= high)
+        return value;
     context_.findings.add(found->value.where, inside(key), describe(found->value), allowed);
     return 1;
 }
@@ -133,18 +144,22 @@ std::string Section::text(std::string_view key, std::optional<std::string> other
     return otherwise.value_or("");
 }
 
-std::optional<std::size_t> Section::missing_name(std::string_view key, const std::vector<std::string>& names) {
+std::optional<std::size_t> Section::missing_name(std::string_view key,
+                                                 const std::vector<std::string>& names) {
     context_.findings.add(where_, inside(key), "nothing", fmt::format("{}", fmt::join(names, ", ")));
     return std::nullopt;
 }
 
-std::optional<std::size_t> Section::name_index(const Value& value, const std::string& path, const std::vector<std::string>& names,
+std::optional<std::size_t> Section::name_index(const Value& value, const std::string& path,
+                                               const std::vector<std::string>& names,
                                                std::initializer_list<std::string_view> later) {
     const auto known = std::ranges::find(names, value.text);
-    if (value.kind == Value::Kind::scalar && known != names.end()) return static_cast<std::size_t>(known - names.begin());
+    if (value.kind == Value::Kind::scalar && known != names.end())
+        return static_cast<std::size_t>(known - names.begin());
     const std::string allowed = fmt::format("{}", fmt::join(names, ", "));
     if (value.kind == Value::Kind::scalar && std::ranges::find(later, value.text) != later.end()) {
-        context_.findings.add(value.where, path, fmt::format("{}, {}", describe(value), later_version), allowed);
+        context_.findings.add(value.where, path, fmt::format("{}, {}", describe(value), later_version),
+                              allowed);
     } else {
         context_.findings.add(value.where, path, describe(value), allowed, nearest(value.text, names));
     }
@@ -155,14 +170,17 @@ std::vector<std::size_t> Section::name_list(std::string_view key, const std::vec
     const Value& list = entry(key)->value;
     std::vector<std::size_t> indices;
     if (list.kind != Value::Kind::list) {
-        context_.findings.add(list.where, inside(key), describe(list), fmt::format("a list of {}", fmt::join(names, ", ")));
+        context_.findings.add(list.where, inside(key), describe(list),
+                              fmt::format("a list of {}", fmt::join(names, ", ")));
     }
     for (std::size_t i = 0; i < list.items.size(); ++i) {
         const std::string path = fmt::format("{}.{}", inside(key), i);
         const auto index = name_index(list.items[i], path, names);
         if (!index) continue;
         const bool again = std::ranges::find(indices, *index) != indices.end();
-        if (again) context_.findings.add(list.items[i].where, path, fmt::format("'{}' again", names[*index]), "each name once");
+        if (again)
+            context_.findings.add(list.items[i].where, path, fmt::format("'{}' again", names[*index]),
+                                  "each name once");
         indices.push_back(*index);
     }
     return indices;
@@ -193,7 +211,8 @@ void Section::refuse_if(bool refused, std::string_view key, std::string_view all
         context_.findings.add(where_, inside(key), "nothing", allowed, hint);
     } else {
         const bool map = found->value.kind == Value::Kind::map;  // begins on the line after its key, often
-        context_.findings.add(map ? found->where : found->value.where, inside(key), describe(found->value), allowed, hint);
+        context_.findings.add(map ? found->where : found->value.where, inside(key), describe(found->value),
+                              allowed, hint);
     }
 }
 
@@ -228,7 +247,8 @@ void Section::refuse_unknown() {
         if (context_.findings.full())
             context_.findings.count(1);
         else
-            context_.findings.add(candidate.where, inside(candidate.key), "an unknown key", known_keys(), nearest(candidate.key, known_));
+            context_.findings.add(candidate.where, inside(candidate.key), "an unknown key", known_keys(),
+                                  nearest(candidate.key, known_));
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Reads the keys of one map of the scene: each read states what is allowed, and what was never asked for is an unknown key.
+/// Reads the keys of one map of the scene: each read states what is allowed, and what was never asked for is
+/// an unknown key.
 
 #include <array>
 #include <cstdint>
@@ -63,7 +64,8 @@ class Section {
     bool says(std::string_view key, std::string_view word);
 
     /// A quantity in SI. @param otherwise its default; absent: the key is required
-    double quantity(std::string_view key, const Dimension& dimension, const Range& range, std::optional<double> otherwise = {});
+    double quantity(std::string_view key, const Dimension& dimension, const Range& range,
+                    std::optional<double> otherwise = {});
 
     /// A list of N quantities of one dimension. @param otherwise its default; absent: the key is required
     template <std::size_t N>
@@ -84,21 +86,25 @@ class Section {
 
     /// One of a table of names. @param later names that a later version will serve, refused as such
     template <typename Table>
-    auto choice(std::string_view key, const Table& table, std::optional<typename Table::value_type::second_type> otherwise = {},
+    auto choice(std::string_view key, const Table& table,
+                std::optional<typename Table::value_type::second_type> otherwise = {},
                 std::initializer_list<std::string_view> later = {}) {
         const Entry* found = entry(key);
         if (found == nullptr && otherwise) return *otherwise;
         const std::vector<std::string> names = names_in(table);
-        const auto index = found == nullptr ? missing_name(key, names) : name_index(found->value, inside(key), names, later);
+        const auto index =
+            found == nullptr ? missing_name(key, names) : name_index(found->value, inside(key), names, later);
         return index ? table[*index].second : otherwise.value_or(table[0].second);
     }
 
     /// A list of different names of a table.
     template <typename Table>
-    auto choices(std::string_view key, const Table& table, std::vector<typename Table::value_type::second_type> otherwise) {
+    auto choices(std::string_view key, const Table& table,
+                 std::vector<typename Table::value_type::second_type> otherwise) {
         if (!has(key)) return otherwise;
         otherwise.clear();
-        for (const std::size_t index : name_list(key, names_in(table))) otherwise.push_back(table[index].second);
+        for (const std::size_t index : name_list(key, names_in(table)))
+            otherwise.push_back(table[index].second);
         return otherwise;
     }
 
@@ -114,7 +120,8 @@ class Section {
 
     /// A map that may be left out.
     template <typename Read>
-    auto optional(std::string_view key, Read read, std::string_view allowed = {}) -> std::optional<std::invoke_result_t<Read, Section&>> {
+    auto optional(std::string_view key, Read read, std::string_view allowed = {})
+        -> std::optional<std::invoke_result_t<Read, Section&>> {
         if (!has(key)) return std::nullopt;
         return required(key, read, allowed);
     }
@@ -137,7 +144,8 @@ class Section {
     /// Keys that a later version will serve: refused as such.
     void unavailable(std::initializer_list<std::string_view> later);
 
-    /// Notes a finding about the value of a key (where the section stands when the key is absent) if `refused`.
+    /// Notes a finding about the value of a key (where the section stands when the key is absent) if
+    /// `refused`.
     /// @param allowed what would have been
     void refuse_if(bool refused, std::string_view key, std::string_view allowed, std::string_view hint = {});
 
@@ -166,16 +174,20 @@ class Section {
 
     const Entry* entry(std::string_view key);
     [[nodiscard]] std::string inside(std::string_view key) const;
-    double read_quantity(const Value& value, const std::string& path, const Dimension& dimension, const Range& range);
-    void components(std::string_view key, const Dimension& dimension, const Range& range, std::span<double> values);
+    double read_quantity(const Value& value, const std::string& path, const Dimension& dimension,
+                         const Range& range);
+    void components(std::string_view key, const Dimension& dimension, const Range& range,
+                    std::span<double> values);
     std::optional<std::size_t> missing_name(std::string_view key, const std::vector<std::string>& names);
-    std::optional<std::size_t> name_index(const Value& value, const std::string& path, const std::vector<std::string>& names,
+    std::optional<std::size_t> name_index(const Value& value, const std::string& path,
+                                          const std::vector<std::string>& names,
                                           std::initializer_list<std::string_view> later = {});
     std::vector<std::size_t> name_list(std::string_view key, const std::vector<std::string>& names);
     [[nodiscard]] std::string known_keys() const;
 
     template <typename Read>
-    auto within(const Value& value, const Location& where, const std::string& path, Read read, std::string_view allowed) {
+    auto within(const Value& value, const Location& where, const std::string& path, Read read,
+                std::string_view allowed) {
         if (value.kind != Value::Kind::map) return absent(value.where, path, describe(value), read, allowed);
         Section section(value, where, path, context_);
         auto result = read(section);
@@ -185,14 +197,17 @@ class Section {
 
     // The result of an empty map, so that one finding stands for all that is missing.
     template <typename Read>
-    auto absent(const Location& where, const std::string& path, std::string_view found, Read read, std::string_view allowed) {
+    auto absent(const Location& where, const std::string& path, std::string_view found, Read read,
+                std::string_view allowed) {
         static const Value empty{.kind = Value::Kind::map};
         const bool silent = context_.findings.silent();
         context_.findings.silence(true);
         Section section(empty, where, path, context_);
         auto result = read(section);
         context_.findings.silence(silent);
-        context_.findings.add(where, path, found, allowed.empty() ? "a map with keys " + section.known_keys() : std::string(allowed));
+        context_.findings.add(
+            where, path, found,
+            allowed.empty() ? "a map with keys " + section.known_keys() : std::string(allowed));
         return result;
     }
 };

@@ -55,25 +55,28 @@ void choose_by_name(const Value& value, const Study& study, Context& context, Re
     }
     std::vector<std::string> labels;
     for (const Axis& axis : study.axes) std::ranges::move(labels_of(axis), std::back_inserter(labels));
-    context.findings.add(
-        value.where, path_name, describe(value),
-        fmt::format("a label that one axis alone has ({}), the name of a variant, such as '{}', or a map, such as {{time.end: 80 us}}",
-                    fmt::join(labels, ", "), variants.empty() ? "" : variants.front().name),
-        nearest(value.text, labels));
+    context.findings.add(value.where, path_name, describe(value),
+                         fmt::format("a label that one axis alone has ({}), the name of a variant, such as "
+                                     "'{}', or a map, such as {{time.end: 80 us}}",
+                                     fmt::join(labels, ", "), variants.empty() ? "" : variants.front().name),
+                         nearest(value.text, labels));
 }
 
 /// Whether the values of an axis are named settings, which only their label can stand for.
 bool has_labels(const Axis& axis) {
-    return std::ranges::any_of(
-        axis.choices, [&](const Choice& choice) { return choice.settings.size() != 1 || choice.settings.front().path != axis.name; });
+    return std::ranges::any_of(axis.choices, [&](const Choice& choice) {
+        return choice.settings.size() != 1 || choice.settings.front().path != axis.name;
+    });
 }
 
-void choose_label(const Value& value, std::size_t a, const Axis& axis, Context& context, Reference& reference) {
+void choose_label(const Value& value, std::size_t a, const Axis& axis, Context& context,
+                  Reference& reference) {
     const std::vector<std::string> labels = labels_of(axis);
     reference.choices[a] = value.kind == Value::Kind::scalar ? index_in(labels, value.text) : std::nullopt;
     if (!reference.choices[a])
-        context.findings.add(value.where, fmt::format("{}.{}", path_name, printable(axis.name)), describe(value),
-                             fmt::format("one of {}", fmt::join(labels, ", ")), nearest(value.text, labels));
+        context.findings.add(value.where, fmt::format("{}.{}", path_name, printable(axis.name)),
+                             describe(value), fmt::format("one of {}", fmt::join(labels, ", ")),
+                             nearest(value.text, labels));
 }
 
 }  // namespace
@@ -87,15 +90,18 @@ void read_reference_variant(const Value& value, const Study& study, Context& con
     paths.entries.clear();
     for (const Entry& entry : value.entries) {
         const auto axis = index_in(axes, entry.key);
-        const bool is_path = entry.key.find('.') != entry.key.npos || std::ranges::find(scene_keys, entry.key) != scene_keys.end();
+        const bool is_path = entry.key.find('.') != entry.key.npos ||
+                             std::ranges::find(scene_keys, entry.key) != scene_keys.end();
         if (axis && has_labels(study.axes[*axis]))
             choose_label(entry.value, *axis, study.axes[*axis], context, reference);
         else if (axis || is_path)
             paths.entries.push_back(entry);
         else
-            context.findings.add(entry.where, path_name, fmt::format("'{}'", printable(entry.key)),
-                                 fmt::format("an axis ({}) or a path of the scene, such as target.mesh.center", fmt::join(axes, ", ")),
-                                 nearest(entry.key, axes));
+            context.findings.add(
+                entry.where, path_name, fmt::format("'{}'", printable(entry.key)),
+                fmt::format("an axis ({}) or a path of the scene, such as target.mesh.center",
+                            fmt::join(axes, ", ")),
+                nearest(entry.key, axes));
     }
     reference.settings = read_settings(paths, std::string(path_name), context);
 }

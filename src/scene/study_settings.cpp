@@ -45,13 +45,15 @@ std::string label_of(const Value& value) {
     if (value.kind == Value::Kind::scalar) return value.text;
     std::string text;
     for (const Value& item : value.items) text += fmt::format("{}{}", separator(text), label_of(item));
-    for (const Entry& entry : value.entries) text += fmt::format("{}{} {}", separator(text), entry.key, label_of(entry.value));
+    for (const Entry& entry : value.entries)
+        text += fmt::format("{}{} {}", separator(text), entry.key, label_of(entry.value));
     return text;
 }
 
 std::optional<double> si_value(const Value& value, const Units& units) {
-    static constexpr std::array dimensions{ratio, length,  duration,      speed,   angle,     rate,          mass,
-                                           area,  density, areal_density, modulus, viscosity, area_stiffness};
+    static constexpr std::array dimensions{ratio,   length,    duration,      speed,   angle,
+                                           rate,    mass,      area,          density, areal_density,
+                                           modulus, viscosity, area_stiffness};
     if (value.kind != Value::Kind::scalar) return std::nullopt;
     for (const Dimension& dimension : dimensions) {
         const Quantity quantity = units.read(value.text, dimension);
@@ -64,17 +66,20 @@ Axis read_axis(const Entry& entry, const std::string& path, Context& context) {
     Axis axis{.name = entry.key, .choices = {}};
     for (const Value& item : entry.value.items) {
         const std::string value = item.kind == Value::Kind::null ? "" : flow_text(item);
-        axis.choices.push_back({label_of(item), si_value(item, context.units), {{entry.key, value, item.where.text}}});
+        axis.choices.push_back(
+            {label_of(item), si_value(item, context.units), {{entry.key, value, item.where.text}}});
     }
     for (const Entry& named : entry.value.entries)
-        axis.choices.push_back({named.key, std::nullopt, read_settings(named.value, path + "." + named.key, context)});
+        axis.choices.push_back(
+            {named.key, std::nullopt, read_settings(named.value, path + "." + named.key, context)});
     if (axis.choices.empty())
         context.findings.add(entry.value.where, path, describe(entry.value),
                              "a list of values, or a map of names to maps of paths and values");
     std::unordered_set<std::string_view> labels;
     for (const Choice& choice : axis.choices)
         if (!labels.insert(choice.label).second)
-            context.findings.add(entry.value.where, path, fmt::format("'{}' again", printable(choice.label)), "each value once");
+            context.findings.add(entry.value.where, path, fmt::format("'{}' again", printable(choice.label)),
+                                 "each value once");
     return axis;
 }
 
@@ -89,11 +94,14 @@ std::string flow_text(const Value& value) {
 std::vector<Setting> read_settings(const Value& map, const std::string& path, Context& context) {
     std::vector<Setting> settings;
     if (map.kind != Value::Kind::map)
-        context.findings.add(map.where, path, describe(map), "a map of paths and values, such as {time.end: 80 us}");
+        context.findings.add(map.where, path, describe(map),
+                             "a map of paths and values, such as {time.end: 80 us}");
     std::unordered_set<std::string_view> keys;
     for (const Entry& entry : map.entries) {
-        if (!keys.insert(entry.key).second) context.findings.add(entry.where, path + "." + entry.key, "the key again", "once");
-        settings.push_back({entry.key, entry.value.kind == Value::Kind::null ? "" : flow_text(entry.value), entry.value.where.text});
+        if (!keys.insert(entry.key).second)
+            context.findings.add(entry.where, path + "." + entry.key, "the key again", "once");
+        settings.push_back({entry.key, entry.value.kind == Value::Kind::null ? "" : flow_text(entry.value),
+                            entry.value.where.text});
     }
     return settings;
 }
@@ -101,21 +109,25 @@ std::vector<Setting> read_settings(const Value& map, const std::string& path, Co
 std::vector<Axis> read_axes(const Value& list, Context& context) {
     std::vector<Axis> axes;
     constexpr std::string_view allowed = "a list of axes, such as - {target.mesh.center: [2 mm, 1 mm]}";
-    if (list.kind != Value::Kind::list || list.items.empty()) context.findings.add(list.where, "variants", describe(list), allowed);
+    if (list.kind != Value::Kind::list || list.items.empty())
+        context.findings.add(list.where, "variants", describe(list), allowed);
     if (list.items.size() > most_axes) {
-        context.findings.add(list.where, "variants", fmt::format("{} axes", list.items.size()), fmt::format("at most {}", most_axes));
+        context.findings.add(list.where, "variants", fmt::format("{} axes", list.items.size()),
+                             fmt::format("at most {}", most_axes));
         context.findings.raise();
     }
     for (std::size_t i = 0; i < list.items.size(); ++i) {
         const Value& item = list.items[i];
         const std::string path = fmt::format("variants.{}", i);
         if (item.kind != Value::Kind::map || item.entries.size() != 1) {
-            context.findings.add(item.where, path, describe(item), "a map of one key, a path or the name of an axis");
+            context.findings.add(item.where, path, describe(item),
+                                 "a map of one key, a path or the name of an axis");
             continue;
         }
         const Entry& entry = item.entries.front();
         if (std::ranges::find(axes, entry.key, &Axis::name) != axes.end())
-            context.findings.add(entry.where, path, fmt::format("the axis '{}' again", entry.key), "each axis once");
+            context.findings.add(entry.where, path, fmt::format("the axis '{}' again", entry.key),
+                                 "each axis once");
         axes.push_back(read_axis(entry, path + "." + entry.key, context));
     }
     return axes;

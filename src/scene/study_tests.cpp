@@ -25,7 +25,8 @@ CellTest read_cell(Section& section, const std::filesystem::path& folder) {
 Tests read_tests(Section& root, Compute compute, const std::filesystem::path& folder) {
     Tests tests;
     if (compute == Compute::yarn) tests.yarn = root.required("yarn", read_yarn);
-    if (compute == Compute::cell) tests.cell = root.required("cell", [&](Section& section) { return read_cell(section, folder); });
+    if (compute == Compute::cell)
+        tests.cell = root.required("cell", [&](Section& section) { return read_cell(section, folder); });
     return tests;
 }
 

@@ -21,7 +21,8 @@ constexpr std::size_t enough_messages = 1000;
 /// The last key of a path, with its index where it is an item of a list.
 std::string short_name(const std::string& axis) {
     std::size_t dot = axis.rfind('.');
-    const bool item = dot != axis.npos && dot > 0 && dot + 1 < axis.size() && std::isdigit(static_cast<unsigned char>(axis[dot + 1])) != 0;
+    const bool item = dot != axis.npos && dot > 0 && dot + 1 < axis.size() &&
+                      std::isdigit(static_cast<unsigned char>(axis[dot + 1])) != 0;
     if (item) dot = axis.rfind('.', dot - 1);
     return axis.substr(dot + 1);
 }
@@ -31,7 +32,8 @@ std::string folder_part(const std::string& axis, const std::string& label) {
     const auto kept = [](const std::string& name) {
         std::string text;
         for (const char c : name) {
-            if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+') text += c;
+            if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+')
+                text += c;
             if (c == '/' || c == '_') text += '_';
             if (c == '%') text += "percent";
         }
@@ -46,7 +48,8 @@ std::string of_bounded_length(const std::string& name) {
     return name.size() <= most ? name : name.substr(0, most - 17) + "~" + hash_of(name);
 }
 
-std::string folder_of(const Study& study, const std::vector<std::string>& labels, const std::string& start = {}) {
+std::string folder_of(const Study& study, const std::vector<std::string>& labels,
+                      const std::string& start = {}) {
     std::string name = start;
     for (std::size_t i = 0; i < study.axes.size(); ++i)
         name += fmt::format("{}{}", i > 0 ? "," : "", folder_part(study.axes[i].name, labels[i]));
@@ -79,7 +82,8 @@ Tests changed_tests(const Study& study, const std::vector<Setting>& settings) {
 }
 
 std::string text_of(const Tests& tests, Compute compute) {
-    if (compute == Compute::yarn) return fmt::format("yarn {} {} {}", tests.yarn.rate, tests.yarn.strain, tests.yarn.steps);
+    if (compute == Compute::yarn)
+        return fmt::format("yarn {} {} {}", tests.yarn.rate, tests.yarn.strain, tests.yarn.steps);
     if (compute == Compute::cell) {
         const std::string path = hash_of(read_text(tests.cell.path, most_of_table));
         return fmt::format("cell {} {} {}", path, tests.cell.refinement, tests.cell.crimp_tolerance);
@@ -99,7 +103,8 @@ void choose(Variant& variant, const Axis& axis, std::size_t index) {
 }  // namespace
 
 std::vector<Variant> variants_of(const Study& study) {
-    std::vector<Variant> variants{{.name = "", .labels = {}, .values = {}, .choices = {}, .settings = study.set}};
+    std::vector<Variant> variants{
+        {.name = "", .labels = {}, .values = {}, .choices = {}, .settings = study.set}};
     for (const Axis& axis : study.axes) {
         std::vector<Variant> wider;
         for (const Variant& variant : variants)
@@ -133,7 +138,8 @@ Variant reference_of(const Study& study, const Variant& variant) {
 
 Case parse_case(const Study& study, const std::string& scene_text, const Variant& variant) {
     std::vector<Setting> scene_settings, study_settings;
-    for (const Setting& setting : variant.settings) (of_study(setting, study.compute) ? study_settings : scene_settings).push_back(setting);
+    for (const Setting& setting : variant.settings)
+        (of_study(setting, study.compute) ? study_settings : scene_settings).push_back(setting);
     const Need need = study.compute == Compute::impact ? Need::impact : Need::fabrics;
     std::vector<std::string> messages;
     std::size_t more = 0;
@@ -144,7 +150,9 @@ Case parse_case(const Study& study, const std::string& scene_text, const Variant
     Case result;
     Tests tests;
     try {
-        const auto change = [&](Value& root, Findings& findings) { apply_settings(root, scene_settings, findings); };
+        const auto change = [&](Value& root, Findings& findings) {
+            apply_settings(root, scene_settings, findings);
+        };
         result.scene = parse_changed_scene(scene_text, study.scene.string(), change, need);
     } catch (const InputError& error) {
         take(error);
@@ -157,11 +165,14 @@ Case parse_case(const Study& study, const std::string& scene_text, const Variant
     if (!messages.empty()) throw InputError(messages, more);
     result.yarn = tests.yarn;
     result.cell = tests.cell;
-    result.hash = study.compute == Compute::impact ? result.scene.hash : hash_of(result.scene.resolved + text_of(tests, study.compute));
+    result.hash = study.compute == Compute::impact
+                      ? result.scene.hash
+                      : hash_of(result.scene.resolved + text_of(tests, study.compute));
     return result;
 }
 
-std::vector<Case> parse_cases(const Study& study, const std::string& scene_text, const std::vector<Variant>& variants) {
+std::vector<Case> parse_cases(const Study& study, const std::string& scene_text,
+                              const std::vector<Variant>& variants) {
     std::vector<Case> cases;
     std::vector<std::string> messages;
     std::unordered_set<std::string> known;

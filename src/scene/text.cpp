@@ -29,13 +29,15 @@ void require_regular(const std::filesystem::path& path) {
     const auto status = std::filesystem::status(path, failure);
     if (failure) refuse(path, failure.message());
     if (std::filesystem::is_directory(status)) refuse(path, std::strerror(EISDIR));
-    if (!std::filesystem::is_regular_file(status)) refuse(path, "it is a pipe, a socket or a device, allowed is a regular file");
+    if (!std::filesystem::is_regular_file(status))
+        refuse(path, "it is a pipe, a socket or a device, allowed is a regular file");
 }
 
 /// The character that a byte is in Latin-1, where it is one that can be seen: the likely meaning.
 std::string in_latin1(unsigned char byte) {
     if (byte <= 0xA0) return "";
-    return fmt::format(" ('{}{}' in Latin-1)", static_cast<char>(0xC0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3F)));
+    return fmt::format(" ('{}{}' in Latin-1)", static_cast<char>(0xC0 | byte >> 6),
+                       static_cast<char>(0x80 | (byte & 0x3F)));
 }
 
 }  // namespace
@@ -50,7 +52,8 @@ std::string read_text(const std::filesystem::path& path, std::size_t most) {
         file.read(part.data(), std::ssize(part));
         text.append(part.data(), static_cast<std::size_t>(file.gcount()));
         if (text.size() > most)
-            throw InputError({fmt::format("{}: found a file of more than {} bytes, allowed at most so many", path.string(), most)});
+            throw InputError({fmt::format("{}: found a file of more than {} bytes, allowed at most so many",
+                                          path.string(), most)});
     } while (file);
     if (file.bad()) refuse(path, std::strerror(errno));
     if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
@@ -60,11 +63,13 @@ std::string read_text(const std::filesystem::path& path, std::size_t most) {
 
 std::string fault_of_text(std::string_view text, std::size_t& at) {
     at = 0;
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return "text in UTF-16, allowed text in UTF-8";
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        return "text in UTF-16, allowed text in UTF-8";
     for (; at < text.size();) {
         const auto [code, bytes] = first_character(text.substr(at));
         const auto byte = static_cast<unsigned char>(text[at]);
-        if (bytes == 0) return fmt::format("the byte 0x{:02X}{}, allowed text in UTF-8", byte, in_latin1(byte));
+        if (bytes == 0)
+            return fmt::format("the byte 0x{:02X}{}, allowed text in UTF-8", byte, in_latin1(byte));
         if (code == 0) return "a NUL byte, allowed text in UTF-8";
         if (code < 0x20 && code != '\t' && code != '\n' && code != '\r')
             return fmt::format("the control character 0x{:02X}, allowed text in UTF-8", byte);
@@ -83,7 +88,9 @@ std::string place_in(std::string_view text, std::size_t offset) {
     text = text.substr(0, offset);
     const auto line = 1 + std::ranges::count(text, '\n');
     const auto start = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
-    const auto begins_character = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80; };
+    const auto begins_character = [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80;
+    };
     return fmt::format("{}:{}", line, 1 + std::ranges::count_if(text.substr(start), begins_character));
 }
 
@@ -116,7 +123,8 @@ std::optional<double> finite_number(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
     return value;
 }
 

@@ -25,7 +25,9 @@ using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 constexpr std::array known_dimensions{length,  area,          mass,    duration,  rate,          speed,
                                       density, areal_density, modulus, viscosity, area_stiffness};
 
-Unit parse_unit(ut_system* system, std::string_view text) { return {ut_parse(system, std::string(text).c_str(), UT_UTF8), &ut_free}; }
+Unit parse_unit(ut_system* system, std::string_view text) {
+    return {ut_parse(system, std::string(text).c_str(), UT_UTF8), &ut_free};
+}
 
 double to_double(std::string_view text) {
     double value = std::numeric_limits<double>::quiet_NaN();
@@ -72,28 +74,39 @@ std::string minus_lookalike(std::string_view text) {
     if (text.empty()) return {};
     const auto code = first_character(text).code;
     const bool dash = (code >= 0x2010 && code <= 0x2015) || code == 0x2212;
-    return dash ? fmt::format("a dash U+{:04X} in place of the minus sign '-'", static_cast<std::uint32_t>(code)) : std::string();
+    return dash ? fmt::format("a dash U+{:04X} in place of the minus sign '-'",
+                              static_cast<std::uint32_t>(code))
+                : std::string();
 }
 
 // udunits2 does not know `deg`, and takes angles for plain numbers.
 std::optional<double> read_angle(std::string_view number, std::string_view unit) {
     if (unit == "rad" || unit == "radian" || unit == "radians") return to_double(number);
-    if (unit == "deg" || unit == "degree" || unit == "degrees" || unit == "°") return to_double(number) / 180 * std::numbers::pi;
+    if (unit == "deg" || unit == "degree" || unit == "degrees" || unit == "°")
+        return to_double(number) / 180 * std::numbers::pi;
     return std::nullopt;
 }
 
-// Units of the trade that udunits2 does not know, or takes for others (oz: a volume, mph: a brightness), and how it writes them.
+// Units of the trade that udunits2 does not know, or takes for others (oz: a volume, mph: a brightness), and
+// how it writes them.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> of_the_trade{
-    {{"oz", "avoirdupois_ounce"}, {"gsm", "g/m^2"}, {"fps", "ft/s"}, {"mph", "mile/hour"}, {"kph", "km/hour"}, {"kmh", "km/hour"}}};
+    {{"oz", "avoirdupois_ounce"},
+     {"gsm", "g/m^2"},
+     {"fps", "ft/s"},
+     {"mph", "mile/hour"},
+     {"kph", "km/hour"},
+     {"kmh", "km/hour"}}};
 
 /// A unit with the first word that is of the trade as udunits2 writes it; empty: none is.
 std::string written_out(std::string_view unit) {
     const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
     for (auto first = std::ranges::find_if(unit, is_letter); first != unit.end();) {
         const auto last = std::find_if_not(first, unit.end(), is_letter);
-        const auto* known = std::ranges::find(of_the_trade, std::string_view(first, last), [](const auto& pair) { return pair.first; });
+        const auto* known = std::ranges::find(of_the_trade, std::string_view(first, last),
+                                              [](const auto& pair) { return pair.first; });
         if (known != of_the_trade.end())
-            return fmt::format("{}{}{}", std::string_view(unit.begin(), first), known->second, std::string_view(last, unit.end()));
+            return fmt::format("{}{}{}", std::string_view(unit.begin(), first), known->second,
+                               std::string_view(last, unit.end()));
         first = std::find_if(last, unit.end(), is_letter);
     }
     return {};
@@ -101,11 +114,13 @@ std::string written_out(std::string_view unit) {
 
 std::string describe(ut_system* system, ut_unit* unit) {
     for (const Dimension& dimension : known_dimensions) {
-        if (ut_are_convertible(unit, parse_unit(system, dimension.si).get()) != 0) return std::string(dimension.name);
+        if (ut_are_convertible(unit, parse_unit(system, dimension.si).get()) != 0)
+            return std::string(dimension.name);
     }
     std::array<char, 128> text{};
     const int size = ut_format(unit, text.data(), text.size(), UT_ASCII | UT_DEFINITION);
-    return size > 0 && size < static_cast<int>(text.size()) ? fmt::format("a quantity in {}", text.data()) : "another quantity";
+    return size > 0 && size < static_cast<int>(text.size()) ? fmt::format("a quantity in {}", text.data())
+                                                            : "another quantity";
 }
 
 }  // namespace
@@ -113,7 +128,9 @@ std::string describe(ut_system* system, ut_unit* unit) {
 Units::Units() : system_(nullptr, &ut_free_system) {
     ut_set_error_message_handler(&ut_ignore);
     system_.reset(ut_read_xml(nullptr));
-    if (!system_) throw std::runtime_error("the unit database of udunits2 cannot be read (package libudunits2-data; UDUNITS2_XML_PATH)");
+    if (!system_)
+        throw std::runtime_error(
+            "the unit database of udunits2 cannot be read (package libudunits2-data; UDUNITS2_XML_PATH)");
 }
 
 const Units& shared_units() {
@@ -144,7 +161,8 @@ Quantity Units::read(std::string_view text, const Dimension& wanted) const {
     Quantity quantity = convert(number, unit, wanted);
     quantity.unit = unit;
     if (quantity.problem.empty()) return quantity;
-    if (const auto meant = written_out(unit); !meant.empty() && convert(number, meant, wanted).problem.empty())
+    if (const auto meant = written_out(unit);
+        !meant.empty() && convert(number, meant, wanted).problem.empty())
         quantity.nearest = fmt::format("{} {}", number, meant);
     return quantity;
 }
@@ -157,7 +175,8 @@ Quantity Units::convert(std::string_view number, std::string_view unit, const Di
     if (wanted.name == angle.name) return {.problem = describe(system_.get(), from.get())};
 
     const Unit to = parse_unit(system_.get(), wanted.si);
-    if (ut_are_convertible(from.get(), to.get()) == 0) return {.problem = describe(system_.get(), from.get())};
+    if (ut_are_convertible(from.get(), to.get()) == 0)
+        return {.problem = describe(system_.get(), from.get())};
     const Converter converter(ut_get_converter(from.get(), to.get()), &cv_free);
     const double scale = converter ? cv_convert_double(converter.get(), 1.0) : 0;
     const bool pure_scale = converter && cv_convert_double(converter.get(), 0.0) == 0 && scale > 0;

@@ -30,17 +30,19 @@ inline constexpr Dimension duration{"a time", "s", "200 us", &MessageUnits::time
 inline constexpr Dimension rate{"a rate", "1/s", "100 1/s", &MessageUnits::rate};
 inline constexpr Dimension speed{"a velocity", "m/s", "428 m/s", &MessageUnits::speed};
 inline constexpr Dimension density{"a density", "kg/m^3", "1440 kg/m^3", &MessageUnits::density};
-inline constexpr Dimension areal_density{"an areal density", "kg/m^2", "204 g/m^2", &MessageUnits::areal_density};
+inline constexpr Dimension areal_density{"an areal density", "kg/m^2", "204 g/m^2",
+                                         &MessageUnits::areal_density};
 inline constexpr Dimension modulus{"a modulus", "Pa", "96 GPa", &MessageUnits::modulus};
 inline constexpr Dimension viscosity{"a viscosity", "Pa s", "35 MPa s", &MessageUnits::viscosity};
-inline constexpr Dimension area_stiffness{"a stiffness per area", "N/m^3", "5.6e12 N/m^3", &MessageUnits::area_stiffness};
+inline constexpr Dimension area_stiffness{"a stiffness per area", "N/m^3", "5.6e12 N/m^3",
+                                          &MessageUnits::area_stiffness};
 
 /// What a text says as a quantity.
 struct Quantity {
     double value = std::numeric_limits<double>::quiet_NaN();  ///< SI; NaN when there is a problem
-    std::string problem = {};                                 ///< what it is instead of what was wanted; empty: nothing
-    std::string nearest = {};                                 ///< how to write what was probably meant; empty: unknown
-    std::string unit = {};                                    ///< as written; empty: none
+    std::string problem = {};  ///< what it is instead of what was wanted; empty: nothing
+    std::string nearest = {};  ///< how to write what was probably meant; empty: unknown
+    std::string unit = {};     ///< as written; empty: none
 };
 
 /// The database of units. udunits2 is not thread-safe: one object, one thread.
@@ -49,8 +51,8 @@ class Units {
     /// @throws std::runtime_error when the database of udunits2 cannot be read
     Units();
 
-    /// Reads a number with its unit. Units that differ by a power of ten (nm, mm, km) give the same double for the same quantity:
-    /// the decimal exponent is shifted before the text becomes binary.
+    /// Reads a number with its unit. Units that differ by a power of ten (nm, mm, km) give the same double
+    /// for the same quantity: the decimal exponent is shifted before the text becomes binary.
     /// @param text   such as `0.909 mm`; a bare 0 needs no unit
     /// @param wanted dimension that the unit must have
     [[nodiscard]] Quantity read(std::string_view text, const Dimension& wanted) const;
@@ -59,7 +61,8 @@ class Units {
     using System = std::unique_ptr<ut_system, decltype(&ut_free_system)>;
     System system_;
 
-    [[nodiscard]] Quantity convert(std::string_view number, std::string_view unit, const Dimension& wanted) const;
+    [[nodiscard]] Quantity convert(std::string_view number, std::string_view unit,
+                                   const Dimension& wanted) const;
 };
 
 /// The database, read once for each thread: a study parses its scene thousands of times.

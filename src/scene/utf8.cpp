@@ -20,13 +20,15 @@ Character first_character(std::string_view text) {
 }
 
 bool is_other_space(char32_t code) {
-    return code == 0xA0 || code == 0x1680 || (code >= 0x2000 && code <= 0x200A) || code == 0x202F || code == 0x205F || code == 0x3000;
+    return code == 0xA0 || code == 0x1680 || (code >= 0x2000 && code <= 0x200A) || code == 0x202F ||
+           code == 0x205F || code == 0x3000;
 }
 
 bool is_invisible(char32_t code) {
     const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-    const bool without_width = code == 0xAD || (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
-                               (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF;
+    const bool without_width = code == 0xAD || (code >= 0x200B && code <= 0x200F) ||
+                               (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F) ||
+                               code == 0xFEFF;
     return control || without_width || is_other_space(code);
 }
 

@@ -15,7 +15,8 @@ namespace weavefront::scene {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 14> meanings{
-    {{"end of map not found", "this line is indented unlike the keys above it, or a value above it is not complete"},
+    {{"end of map not found",
+      "this line is indented unlike the keys above it, or a value above it is not complete"},
      {"end of sequence not found", "this line is indented unlike the '-' of the list above it"},
      {"end of map flow not found", "a '{' is not closed by '}', or a ',' is missing"},
      {"end of sequence flow not found", "a '[' is not closed by ']', or a ',' is missing"},
@@ -31,26 +32,30 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> meanings
      {"bad character found while scanning hex number", "an escape whose digits are not hexadecimal"}}};
 
 std::string_view line_of(std::string_view text, int line) {
-    for (; line > 1 && !text.empty(); --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    for (; line > 1 && !text.empty(); --line)
+        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
     return text.substr(0, text.find('\n'));
 }
 
 int characters(std::string_view text) {
-    return static_cast<int>(std::ranges::count_if(text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80; }));
+    return static_cast<int>(std::ranges::count_if(
+        text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80; }));
 }
 
 /// A tab in the indentation of a line, or a space that YAML takes for a letter.
 std::optional<YamlFault> blank_fault(std::string_view text, int line) {
     const std::string_view whole = line_of(text, line);
     const auto indentation = std::min(whole.find_first_not_of(" \t"), whole.size());
-    if (const auto tab = whole.substr(0, indentation).find('\t'); tab != whole.npos && indentation < whole.size())
+    if (const auto tab = whole.substr(0, indentation).find('\t');
+        tab != whole.npos && indentation < whole.size())
         return YamlFault{"a tab in the indentation, allowed are spaces", line, static_cast<int>(tab) + 1};
     for (std::size_t at = 0; at < whole.size() && whole[at] != '#';) {
         const auto [code, bytes] = first_character(whole.substr(at));
         if (bytes > 1 && is_invisible(code))
-            return YamlFault{fmt::format("the character U+{:04X}, which YAML takes for a letter, allowed is a plain space",
-                                         static_cast<std::uint32_t>(code)),
-                             line, characters(whole.substr(0, at)) + 1};
+            return YamlFault{
+                fmt::format("the character U+{:04X}, which YAML takes for a letter, allowed is a plain space",
+                            static_cast<std::uint32_t>(code)),
+                line, characters(whole.substr(0, at)) + 1};
         at += std::max<std::size_t>(bytes, 1);
     }
     return std::nullopt;

@@ -25,7 +25,8 @@ HourglassStiffness hourglass_stiffness(const scene::Fabric& fabric) {
 
 }  // namespace
 
-ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, const StateSizes& sizes)
+ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements,
+                           const StateSizes& sizes)
     : size_(static_cast<std::int32_t>(elements.size())),
       packs_((size_ + pack_width - 1) / pack_width),
       hourglass_(hourglass_stiffness(fabric)),
@@ -39,19 +40,24 @@ ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupEle
     state_.resize(lanes * static_cast<std::size_t>(sizes.changing));
     hourglass_energy_.resize(lanes);
     for (std::size_t i = 0; i < lanes; ++i) {
-        // Lanes beyond the last element have the geometry of the next repeat's start, and so need the nodes of an element there.
-        const auto& source = elements[i < elements.size() ? i : i % static_cast<std::size_t>(quads_.repeat_length())];
+        // Lanes beyond the last element have the geometry of the next repeat's start, and so need the nodes
+        // of an element there.
+        const auto& source =
+            elements[i < elements.size() ? i : i % static_cast<std::size_t>(quads_.repeat_length())];
         const auto index = static_cast<std::int32_t>(i);
         for (std::size_t a = 0; a < 4; ++a) nodes_[i / pack_width][a][i % pack_width] = source.nodes[a];
-        if (i < elements.size() && (runs_.empty() || source.element != element(index))) runs_.push_back({index, source.element});
+        if (i < elements.size() && (runs_.empty() || source.element != element(index)))
+            runs_.push_back({index, source.element});
     }
-    for (const auto& element : elements) parallelograms_ = parallelograms_ && element.quad.e1 == 0 && element.quad.e2 == 0;
+    for (const auto& element : elements)
+        parallelograms_ = parallelograms_ && element.quad.e1 == 0 && element.quad.e2 == 0;
     if (sizes.damage > 0)  // so that no filling lane outlives the element
         for (auto index = size_; index < packs_ * pack_width; ++index) take_out(index);
     runs_.shrink_to_fit();
 }
 
-void ElementGroup::tighten(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const {
+void ElementGroup::tighten(const TighteningStart& start, std::span<const Eigen::Vector3d> x,
+                           TightBounds& bounds) const {
     TightBounds own = start.least;
     tighten_uniform(start, x, own);
     for (std::size_t i = 0; i < null_lagrangians.size(); ++i) {
@@ -60,14 +66,16 @@ void ElementGroup::tighten(const TighteningStart& start, std::span<const Eigen::
     }
 }
 
-double ElementGroup::least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis, double known, double enough) {
+double ElementGroup::least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis,
+                                  double known, double enough) {
     using fabric::Pack;
     for (std::int32_t i = 0; i < packs_ && known > enough; ++i) {
         const auto pack = i + steepest_ < packs_ ? i + steepest_ : i + steepest_ - packs_;
         const auto corners = gather(pack, x);
         const auto normal = cross(corners[2] - corners[0], corners[3] - corners[1]);
         const Pack along = normal.x * axis.x() + normal.y * axis.y() + normal.z * axis.z();
-        const Pack facing = along * fabric::abs(along) / dot(normal, normal);  // not a number where the element has no area
+        const Pack facing =
+            along * fabric::abs(along) / dot(normal, normal);  // not a number where the element has no area
         if (!fabric::any(facing < known)) continue;
         for (int lane = 0; lane < pack_width; ++lane) {
             const auto index = pack * pack_width + lane;
@@ -86,7 +94,8 @@ std::int32_t ElementGroup::element(std::int32_t index) const {
 void ElementGroup::save(std::int32_t index, std::vector<double>& record) const {
     for (int field = 0; field < changing_fields_; ++field) record.push_back(state_[slot(index, field)]);
     for (const auto* blocks : {&packing_, &damage_})
-        for (int field = 0; field < blocks->fields(); ++field) record.push_back(blocks->get(index / pack_width, field, index % pack_width));
+        for (int field = 0; field < blocks->fields(); ++field)
+            record.push_back(blocks->get(index / pack_width, field, index % pack_width));
     record.push_back(hourglass_energy(index));
 }
 
@@ -103,7 +112,8 @@ std::span<const double> ElementGroup::write(std::int32_t index, std::span<const 
     std::size_t at = 0;
     for (int field = 0; field < changing_fields_; ++field) state_[slot(index, field)] = record[at++];
     for (auto* blocks : {&packing_, &damage_})
-        for (int field = 0; field < blocks->fields(); ++field) blocks->set(index / pack_width, field, index % pack_width, record[at++]);
+        for (int field = 0; field < blocks->fields(); ++field)
+            blocks->set(index / pack_width, field, index % pack_width, record[at++]);
     hourglass_energy_[static_cast<std::size_t>(index)] = record[at++];
     return record.subspan(at);
 }
@@ -116,8 +126,8 @@ Events::Erosion ElementGroup::erode(std::int32_t index) {
 }
 
 std::size_t ElementGroup::bytes() const {
-    return (state_.size() + hourglass_energy_.size()) * sizeof(double) + nodes_.size() * sizeof(nodes_[0]) + quads_.bytes() +
-           packing_.bytes() + damage_.bytes();
+    return (state_.size() + hourglass_energy_.size()) * sizeof(double) + nodes_.size() * sizeof(nodes_[0]) +
+           quads_.bytes() + packing_.bytes() + damage_.bytes();
 }
 
 }  // namespace weavefront::shell

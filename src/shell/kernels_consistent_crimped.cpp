@@ -2,8 +2,7 @@
 
 namespace weavefront::shell {
 
-template std::unique_ptr<ElementGroup> make_feature_group<scene::Formulation::consistent, Yarns::crimped>(const fabric::Features&,
-                                                                                                          const scene::Fabric&,
-                                                                                                          std::span<const GroupElement>);
+template std::unique_ptr<ElementGroup> make_feature_group<scene::Formulation::consistent, Yarns::crimped>(
+    const fabric::Features&, const scene::Fabric&, std::span<const GroupElement>);
 
 }  // namespace weavefront::shell

@@ -12,8 +12,8 @@ void Assembly::start(std::vector<FixedVector>& sums) {
     faulty_contact_ = false;
 }
 
-void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces, std::size_t lane,
-                        std::vector<FixedVector>& sums, std::int32_t element) {
+void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces,
+                        std::size_t lane, std::vector<FixedVector>& sums, std::int32_t element) {
     constexpr std::size_t width = shell::pack_width;
     std::array<FixedVector, 4> corner{};
     for (std::size_t d = 0; d < 3; ++d) {
@@ -31,8 +31,8 @@ void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<cons
         for (std::size_t d = 0; d < 3; ++d) sums[static_cast<std::size_t>(nodes[a])][d] += corner[a][d];
 }
 
-bool Assembly::add_pack(const std::array<std::array<std::int32_t, shell::pack_width>, 4>& nodes, const double* forces, std::size_t lanes,
-                        std::vector<FixedVector>& sums) const {
+bool Assembly::add_pack(const std::array<std::array<std::int32_t, shell::pack_width>, 4>& nodes,
+                        const double* forces, std::size_t lanes, std::vector<FixedVector>& sums) const {
     constexpr std::size_t width = shell::pack_width;
     const fabric::Pack scale = scale_.scale();
     alignas(64) std::int64_t corner[4][3][width];
@@ -57,22 +57,26 @@ bool Assembly::add_pack(const std::array<std::array<std::int32_t, shell::pack_wi
     return true;
 }
 
-void Assembly::add_packs(const shell::ElementGroup& group, std::int32_t first, std::int32_t count, std::span<const double> forces,
-                         std::vector<FixedVector>& sums) {
+void Assembly::add_packs(const shell::ElementGroup& group, std::int32_t first, std::int32_t count,
+                         std::span<const double> forces, std::vector<FixedVector>& sums) {
     for (std::int32_t p = 0; p < count; ++p) {
         const auto& nodes = group.nodes(first + p);
-        const auto pack_forces = forces.subspan(static_cast<std::size_t>(p) * shell::forces_per_pack, shell::forces_per_pack);
-        const auto lanes = static_cast<std::size_t>(std::min(group.size() - (first + p) * shell::pack_width, shell::pack_width));
+        const auto pack_forces =
+            forces.subspan(static_cast<std::size_t>(p) * shell::forces_per_pack, shell::forces_per_pack);
+        const auto lanes = static_cast<std::size_t>(
+            std::min(group.size() - (first + p) * shell::pack_width, shell::pack_width));
         if (add_pack(nodes, pack_forces.data(), lanes, sums)) continue;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const auto element = group.element((first + p) * shell::pack_width + static_cast<std::int32_t>(lane));
-            add_lane({nodes[0][lane], nodes[1][lane], nodes[2][lane], nodes[3][lane]}, pack_forces, lane, sums, element);
+            const auto element =
+                group.element((first + p) * shell::pack_width + static_cast<std::int32_t>(lane));
+            add_lane({nodes[0][lane], nodes[1][lane], nodes[2][lane], nodes[3][lane]}, pack_forces, lane,
+                     sums, element);
         }
     }
 }
 
-void Assembly::share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces, const FixedVector& total,
-                     std::vector<FixedVector>& sums) const {
+void Assembly::share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces,
+                     const FixedVector& total, std::vector<FixedVector>& sums) const {
     for (std::size_t d = 0; d < 3; ++d) {
         std::int64_t rest = total[d];
         for (std::size_t a = 0; a < 3; ++a) {
@@ -84,13 +88,15 @@ void Assembly::share(const std::array<std::int32_t, 4>& nodes, const std::array<
     }
 }
 
-void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums, FixedVector& on_projectile) {
+void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums,
+                        FixedVector& on_projectile) {
     FixedVector total{}, opposite{};
     for (std::size_t d = 0; d < 3; ++d) {
         const auto component = static_cast<Eigen::Index>(d);
         bool fits = scale_.fits(pair.total[component]);
         for (std::size_t a = 0; a < 4; ++a)
-            fits = fits && scale_.fits(pair.on_slave[a][component]) && scale_.fits(pair.on_master[a][component]);
+            fits =
+                fits && scale_.fits(pair.on_slave[a][component]) && scale_.fits(pair.on_master[a][component]);
         if (!fits) {
             faulty_contact_ = true;
             return;

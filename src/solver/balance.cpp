@@ -14,20 +14,25 @@ namespace weavefront::solver {
 
 namespace {
 
-// Part of the energy scale that sums of millions of terms, each rounded to 2^-44 of it, resolve to far better than any limit.
+// Part of the energy scale that sums of millions of terms, each rounded to 2^-44 of it, resolve to far better
+// than any limit.
 constexpr double resolved = 0x1p-20;
 
 }  // namespace
 
 void require_balance(const Balance& balance, double limit, std::int64_t step) {
-    const auto when = fmt::format("at t = {:.6g} us, step {} (limits.energy_error allows {:.3g} %)", balance.time * 1e6, step, limit * 100);
+    const auto when = fmt::format("at t = {:.6g} us, step {} (limits.energy_error allows {:.3g} %)",
+                                  balance.time * 1e6, step, limit * 100);
     if (std::abs(balance.closure_error) > limit)
-        throw GuardStop(fmt::format("the energy balance is off by {:.3g} % of the {:.3g} J that the projectile has handed over {}",
-                                    balance.closure_error * 100, balance.transferred_energy, when));
+        throw GuardStop(fmt::format(
+            "the energy balance is off by {:.3g} % of the {:.3g} J that the projectile has handed over {}",
+            balance.closure_error * 100, balance.transferred_energy, when));
     const auto require_taken = [&](const char* what, double energy) {
         if (energy < -limit * balance.transferred_energy)
-            throw GuardStop(fmt::format("{} given {:.3g} J more than {} had taken, of {:.3g} J that the projectile has handed over {}",
-                                        what, -energy, what[0] == 'y' ? "they" : "it", balance.transferred_energy, when));
+            throw GuardStop(
+                fmt::format("{} given {:.3g} J more than {} had taken, of {:.3g} J that the projectile has "
+                            "handed over {}",
+                            what, -energy, what[0] == 'y' ? "they" : "it", balance.transferred_energy, when));
     };
     require_taken("yarns have", balance.internal);
     require_taken("friction has", balance.friction);
@@ -84,7 +89,8 @@ void Simulation::add_nodal_energies(LedgerSums& sums) const {
     for (; n < count; ++n) {
         if (!nodes.owned[n]) continue;
         const Vec3 next = updated_velocity(n), acceleration = (next - nodes.v[n]) / step;
-        sums.add(LedgerSums::kinetic, nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
+        sums.add(LedgerSums::kinetic,
+                 nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
         if (scene_.damping > 0) sums.add(LedgerSums::damping, damping_work(n, next, last_dt_, 0));
     }
 }
@@ -147,13 +153,15 @@ void Simulation::add_projectile(Balance& balance) const {
     balance.projectile = p.position;
     balance.projectile_velocity = projectile_velocity();
     balance.contact_force = projectile_force_;
-    balance.kinetic_projectile = scene_.projectile->mass * p.velocity.dot(p.velocity + last_dt_ * acceleration) / 2;
+    balance.kinetic_projectile =
+        scene_.projectile->mass * p.velocity.dot(p.velocity + last_dt_ * acceleration) / 2;
 }
 
 void Simulation::close(Balance& balance) {
     if (initial_energy_ > 0) {
         const double defect = balance.total() - initial_energy_;
-        transferred_energy_ = std::max({transferred_energy_, balance.total() - balance.kinetic_projectile, resolved * energy_scale_});
+        transferred_energy_ = std::max(
+            {transferred_energy_, balance.total() - balance.kinetic_projectile, resolved * energy_scale_});
         balance.energy_error = defect / initial_energy_;
         balance.transferred_energy = transferred_energy_;
         balance.closure_error = defect / transferred_energy_;
@@ -175,10 +183,13 @@ Balance Simulation::balance() {
     const auto largest = displacements(sums);
     comm_.sum(sums.values);
     if (sums[LedgerSums::faulty] > 0)
-        throw GuardStop(fmt::format("an energy is not finite at t = {:.6g} us, step {}", time_ * 1e6, steps_));
+        throw GuardStop(
+            fmt::format("an energy is not finite at t = {:.6g} us, step {}", time_ * 1e6, steps_));
 
     const auto whole = [&](LedgerSums::Of sum) { return multiplicity_ * energy_.to(sums[sum]); };
-    const auto counted = [&](LedgerSums::Of sum) { return static_cast<std::int64_t>(multiplicity_) * sums[sum]; };
+    const auto counted = [&](LedgerSums::Of sum) {
+        return static_cast<std::int64_t>(multiplicity_) * sums[sum];
+    };
     Balance balance;
     balance.time = time_;
     balance.time_step = dt_;

@@ -15,7 +15,8 @@ std::int64_t bin_of(double offset, std::int64_t bins) {
 
 }  // namespace
 
-FootprintBins::FootprintBins(std::vector<Footprint> footprints, double reach) : footprints_(std::move(footprints)), reach_(reach) {
+FootprintBins::FootprintBins(std::vector<Footprint> footprints, double reach)
+    : footprints_(std::move(footprints)), reach_(reach) {
     if (footprints_.empty()) return;
     for (const auto& footprint : footprints_) {
         all_.include(footprint);
@@ -30,14 +31,16 @@ FootprintBins::FootprintBins(std::vector<Footprint> footprints, double reach) : 
             wide.x_low -= reach_, wide.x_high += reach_, wide.y_low -= reach_, wide.y_high += reach_;
             const auto [i0, i1, j0, j1] = touched(wide);
             for (auto j = j0; j <= j1; ++j)
-                for (auto i = i0; i <= i1; ++i) use(static_cast<std::size_t>(j * nx_ + i), static_cast<std::int32_t>(f));
+                for (auto i = i0; i <= i1; ++i)
+                    use(static_cast<std::size_t>(j * nx_ + i), static_cast<std::int32_t>(f));
         }
     };
     first_.assign(static_cast<std::size_t>(nx_ * ny_) + 2, 0);
     for_each_listing([&](std::size_t bin, std::int32_t) { ++first_[bin + 2]; });
     for (std::size_t bin = 2; bin < first_.size(); ++bin) first_[bin] += first_[bin - 1];
     listed_.resize(first_.back());
-    for_each_listing([&](std::size_t bin, std::int32_t footprint) { listed_[first_[bin + 1]++] = footprint; });
+    for_each_listing(
+        [&](std::size_t bin, std::int32_t footprint) { listed_[first_[bin + 1]++] = footprint; });
 }
 
 bool FootprintBins::near(const Footprint& other, double reach) const {

@@ -29,11 +29,13 @@ struct NodeMessage {
 template <class T>
 using ByRank = std::vector<std::vector<T>>;
 
-/// Bisection without branches, of which every other one would be mispredicted. @param ids ascending @return -1: none
+/// Bisection without branches, of which every other one would be mispredicted. @param ids ascending @return
+/// -1: none
 std::int32_t index_in(std::span<const std::int64_t> ids, std::int64_t id) {
     if (ids.empty()) return -1;
     const auto* first = ids.data();
-    for (auto count = ids.size(); count > 1; count -= count / 2) first += first[count / 2 - 1] < id ? count / 2 : 0;
+    for (auto count = ids.size(); count > 1; count -= count / 2)
+        first += first[count / 2 - 1] < id ? count / 2 : 0;
     return *first == id ? static_cast<std::int32_t>(first - ids.data()) : -1;
 }
 
@@ -53,7 +55,8 @@ class LocalIndices {
     }
     [[nodiscard]] bool is_own(std::int32_t index) const { return index < count_; }
     [[nodiscard]] std::int64_t id(std::int32_t index) const {
-        return is_own(index) ? own_[static_cast<std::size_t>(index)] : ghosts_[static_cast<std::size_t>(index - count_)];
+        return is_own(index) ? own_[static_cast<std::size_t>(index)]
+                             : ghosts_[static_cast<std::size_t>(index - count_)];
     }
 
   private:
@@ -73,7 +76,9 @@ std::vector<std::int32_t> owners(const partition::HaloPlan& plan, int rank) {
     return owners;
 }
 
-double width(const Footprint& footprint) { return std::max(footprint.x_high - footprint.x_low, footprint.y_high - footprint.y_low); }
+double width(const Footprint& footprint) {
+    return std::max(footprint.x_high - footprint.x_low, footprint.y_high - footprint.y_low);
+}
 
 /// The alive facets of all plies over each of a rank's columns.
 class ColumnFootprints {
@@ -95,8 +100,9 @@ class ColumnFootprints {
         });
     }
 
-    std::vector<Footprint> columns;   ///< around all facets of each; empty: none is left
-    std::vector<Footprint> covering;  ///< together over all facets: of columns where they are still in place, else of facets
+    std::vector<Footprint> columns;  ///< around all facets of each; empty: none is left
+    std::vector<Footprint>
+        covering;  ///< together over all facets: of columns where they are still in place, else of facets
 
   private:
     template <class Use>
@@ -107,7 +113,8 @@ class ColumnFootprints {
 };
 
 /// Footprints of other ranks' columns and facets that may be near this one's. @param of this one's
-ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double reach, const std::vector<Footprint>& of) {
+ByRank<Footprint> footprints_around(const parallel::Communicator& comm, double reach,
+                                    const std::vector<Footprint>& of) {
     Footprint mine;
     for (const auto& footprint : of) mine.include(footprint);
     ByRank<Footprint> outgoing(static_cast<std::size_t>(comm.size()));
@@ -129,8 +136,8 @@ struct Choice {
     ByRank<GhostFacet> all, needed;  ///< needed: until the next renewal
 };
 
-Choice choose(const parallel::Communicator& comm, const contact::SweptBounds& swept, double reach, double spare,
-              const contact::Surface& surface) {
+Choice choose(const parallel::Communicator& comm, const contact::SweptBounds& swept, double reach,
+              double spare, const contact::Surface& surface) {
     const auto ranks = static_cast<std::size_t>(comm.size());
     Choice choice{ByRank<GhostFacet>(ranks), ByRank<GhostFacet>(ranks)};
     if (ranks == 1) return choice;
@@ -160,11 +167,12 @@ struct Outgoing {
     ByRank<NodeMessage> nodes;
 };
 
-Outgoing messages_of(const ByRank<GhostFacet>& chosen, const partition::HaloPlan& plan, const contact::Surface& surface, const Nodes& nodes,
-                     int rank) {
+Outgoing messages_of(const ByRank<GhostFacet>& chosen, const partition::HaloPlan& plan,
+                     const contact::Surface& surface, const Nodes& nodes, int rank) {
     const auto owner = owners(plan, rank);
     Outgoing out{ByRank<FacetMessage>(chosen.size()), ByRank<NodeMessage>(chosen.size())};
-    std::vector<std::int32_t> sent_slot(owner.size());  // its position in the message to the rank at hand, or -1
+    std::vector<std::int32_t> sent_slot(
+        owner.size());  // its position in the message to the rank at hand, or -1
     for (std::size_t r = 0; r < chosen.size(); ++r) {
         if (chosen[r].empty()) continue;
         std::ranges::fill(sent_slot, -1);
@@ -173,7 +181,12 @@ Outgoing messages_of(const ByRank<GhostFacet>& chosen, const partition::HaloPlan
             if (sent_slot[n] < 0) {
                 const Vec3 &x = nodes.x[n], &v = nodes.v[n];
                 sent_slot[n] = static_cast<std::int32_t>(out.nodes[r].size());
-                out.nodes[r].push_back({nodes.ids[n], {x[0], x[1], x[2]}, {v[0], v[1], v[2]}, nodes.mass[n], owner[n], nodes.supports[n]});
+                out.nodes[r].push_back({nodes.ids[n],
+                                        {x[0], x[1], x[2]},
+                                        {v[0], v[1], v[2]},
+                                        nodes.mass[n],
+                                        owner[n],
+                                        nodes.supports[n]});
             }
             return sent_slot[n];
         };
@@ -222,7 +235,8 @@ Arrived take_in(const ByRank<NodeMessage>& incoming, LocalIndices& indices, Node
 }
 
 /// Takes the ghost facets in, in ascending global order. @param indices of the nodes that came with them
-void take_in_facets(ByRank<FacetMessage> incoming, const ByRank<std::int32_t>& indices, contact::Surface& surface) {
+void take_in_facets(ByRank<FacetMessage> incoming, const ByRank<std::int32_t>& indices,
+                    contact::Surface& surface) {
     std::vector<FacetMessage> ghosts;
     for (std::size_t r = 0; r < incoming.size(); ++r)
         for (auto& message : incoming[r]) {
@@ -252,7 +266,8 @@ struct OtherHolders {
         for (std::size_t n = 2; n < first.size(); ++n) first[n] += first[n - 1];
         ranks.resize(first.back());
         for (const auto& neighbour : plan.neighbours)
-            for (const auto node : neighbour.nodes) ranks[first[static_cast<std::size_t>(node) + 1]++] = neighbour.rank;
+            for (const auto node : neighbour.nodes)
+                ranks[first[static_cast<std::size_t>(node) + 1]++] = neighbour.rank;
     }
     [[nodiscard]] std::span<const std::int32_t> of(std::int32_t node) const {
         const auto n = static_cast<std::size_t>(node);
@@ -266,9 +281,10 @@ struct Sharer {
     std::int32_t rank, has_it_as_ghost;
 };
 
-/// Introduces all ranks to each other that hold a node or have it as a ghost. @param wanted by each rank of this one's nodes
-ByRank<Sharer> announce_sharers(const ByRank<std::int64_t>& wanted, const partition::HaloPlan& plan, const LocalIndices& indices,
-                                int rank) {
+/// Introduces all ranks to each other that hold a node or have it as a ghost. @param wanted by each rank of
+/// this one's nodes
+ByRank<Sharer> announce_sharers(const ByRank<std::int64_t>& wanted, const partition::HaloPlan& plan,
+                                const LocalIndices& indices, int rank) {
     std::vector<std::pair<std::int64_t, std::int32_t>> ghosts;  // id, rank
     for (std::size_t r = 0; r < wanted.size(); ++r)
         for (const auto id : wanted[r]) ghosts.emplace_back(id, static_cast<std::int32_t>(r));
@@ -287,7 +303,8 @@ ByRank<Sharer> announce_sharers(const ByRank<std::int64_t>& wanted, const partit
         for (; g < ghosts.size() && ghosts[g].first == id; ++g) known_by.push_back({ghosts[g].second, 1});
         for (const auto& to : known_by)
             for (const auto& other : known_by)
-                if (to.rank != other.rank) outgoing[static_cast<std::size_t>(to.rank)].push_back({id, other.rank, other.as_ghost});
+                if (to.rank != other.rank)
+                    outgoing[static_cast<std::size_t>(to.rank)].push_back({id, other.rank, other.as_ghost});
     }
     return outgoing;
 }
@@ -312,8 +329,8 @@ parallel::SendList send_list_of(std::span<const Shared> nodes, bool Shared::*gho
 }
 
 /// @param announced by the owners, nodes that are ghosts somewhere; all others are shared as the plan says
-std::vector<parallel::Neighbour> neighbours_of(const ByRank<Sharer>& announced, const partition::HaloPlan& plan,
-                                               const LocalIndices& indices) {
+std::vector<parallel::Neighbour> neighbours_of(const ByRank<Sharer>& announced,
+                                               const partition::HaloPlan& plan, const LocalIndices& indices) {
     ByRank<Shared> shared(announced.size());
     std::vector<bool> is_announced(plan.owned.size(), false);
     for (const auto& messages : announced)
@@ -326,7 +343,8 @@ std::vector<parallel::Neighbour> neighbours_of(const ByRank<Sharer>& announced, 
     for (const auto& neighbour : plan.neighbours)
         for (const auto node : neighbour.nodes)
             if (!is_announced[static_cast<std::size_t>(node)])
-                shared[static_cast<std::size_t>(neighbour.rank)].push_back({indices.id(node), node, false, false});
+                shared[static_cast<std::size_t>(neighbour.rank)].push_back(
+                    {indices.id(node), node, false, false});
     std::vector<parallel::Neighbour> neighbours;
     for (std::size_t r = 0; r < shared.size(); ++r) {
         if (shared[r].empty()) continue;
@@ -345,27 +363,32 @@ ForceExchange halo_exchange(const partition::HaloPlan& plan) {
     return ForceExchange(std::move(neighbours));
 }
 
-bool Ghosts::suffice(std::span<const GhostFacet> needed, std::span<const GhostFacet> known, const contact::Surface& surface) {
+bool Ghosts::suffice(std::span<const GhostFacet> needed, std::span<const GhostFacet> known,
+                     const contact::Surface& surface) {
     const auto columns = surface.owned / static_cast<std::int32_t>(surface.plies.size());
     const auto index = [&](const GhostFacet& ghost) { return std::pair(ghost.facet % columns, ghost.facet); };
-    return std::ranges::includes(known, needed, {}, index, index) && std::ranges::all_of(known, [&](const GhostFacet& ghost) {
+    return std::ranges::includes(known, needed, {}, index, index) &&
+           std::ranges::all_of(known, [&](const GhostFacet& ghost) {
                const auto f = static_cast<std::size_t>(ghost.facet);
                return surface.alive[f] && ghost.on_free_edge == is_on_free_edge(surface, f);
            });
 }
 
-bool Ghosts::renew(const parallel::Communicator& comm, const partition::HaloPlan& plan, const contact::SweptBounds& swept, double reach,
-                   double spare, contact::Surface& surface, Nodes& nodes, ForceExchange& exchange) {
+bool Ghosts::renew(const parallel::Communicator& comm, const partition::HaloPlan& plan,
+                   const contact::SweptBounds& swept, double reach, double spare, contact::Surface& surface,
+                   Nodes& nodes, ForceExchange& exchange) {
     auto choice = choose(comm, swept, reach, spare, surface);
     bool suffices = known_.size() == choice.needed.size();
-    for (std::size_t r = 0; suffices && r < known_.size(); ++r) suffices = suffice(choice.needed[r], known_[r], surface);
+    for (std::size_t r = 0; suffices && r < known_.size(); ++r)
+        suffices = suffice(choice.needed[r], known_[r], surface);
     if (!comm.any(!suffices)) return false;
     known_ = std::move(choice.all);
     LocalIndices indices(nodes);
     const auto out = messages_of(known_, plan, surface, nodes, comm.rank());
     const auto arrived = take_in(parallel::all_to_all(comm, out.nodes), indices, nodes);
     take_in_facets(parallel::all_to_all(comm, out.facets), arrived.indices, surface);
-    const auto announced = announce_sharers(parallel::all_to_all(comm, arrived.wanted), plan, indices, comm.rank());
+    const auto announced =
+        announce_sharers(parallel::all_to_all(comm, arrived.wanted), plan, indices, comm.rank());
     exchange = ForceExchange(neighbours_of(parallel::all_to_all(comm, announced), plan, indices));
     return true;
 }

@@ -52,7 +52,9 @@ Sets joined_by_yarns(const Model& model, const mesh::Panel& panel) {
         if (!group.alive(slot.index)) continue;
         const auto& facet = model.surface.facets[e];
         const auto fill = run_of_fill(panel, facet.ply);
-        const auto warp = fill == Run::along_x ? Run::along_y : fill == Run::along_y ? Run::along_x : Run::aslant;
+        const auto warp = fill == Run::along_x   ? Run::along_y
+                          : fill == Run::along_y ? Run::along_x
+                                                 : Run::aslant;
         const auto intact = group.intact_yarns(slot.index);
         if (intact.fill) join_along(fill, facet.nodes, sets);
         if (intact.warp) join_along(warp, facet.nodes, sets);
@@ -84,18 +86,23 @@ void spread(Marks& marks, Sets& sets, const Model& model, const parallel::Commun
 /// Whether an edge of the target holds its nodes: planes of symmetry hold none along the shot.
 bool is_held(const Nodes& nodes, std::size_t node) { return (nodes.supports[node] & 4U) != 0; }
 
-/// The largest piece of each ply. Pieces are found one after the other until what is left cannot hold a larger one. @note Collective
-Marks largest_pieces(Sets& sets, const Model& model, const mesh::Panel& panel, const parallel::Communicator& comm) {
+/// The largest piece of each ply. Pieces are found one after the other until what is left cannot hold a
+/// larger one. @note Collective
+Marks largest_pieces(Sets& sets, const Model& model, const mesh::Panel& panel,
+                     const parallel::Communicator& comm) {
     constexpr auto none = std::numeric_limits<std::int64_t>::max();
     const auto& nodes = model.nodes;
     const auto count = static_cast<std::size_t>(nodes.count);
-    const auto ply_of = [&](std::size_t n) { return static_cast<std::size_t>(nodes.ids[n] / panel.nodes_per_ply()); };
+    const auto ply_of = [&](std::size_t n) {
+        return static_cast<std::size_t>(nodes.ids[n] / panel.nodes_per_ply());
+    };
     std::vector<std::int64_t> left(panel.plies.size(), panel.nodes_per_ply()), best(panel.plies.size(), 0);
     Marks seen(count, 0), largest(count, 0);
     while (!std::ranges::equal(left, best, std::ranges::less_equal{})) {
         std::vector<std::int64_t> first(panel.plies.size(), none);
         for (std::size_t n = 0; n < count; ++n)
-            if (!seen[n] && left[ply_of(n)] > best[ply_of(n)]) first[ply_of(n)] = std::min(first[ply_of(n)], nodes.ids[n]);
+            if (!seen[n] && left[ply_of(n)] > best[ply_of(n)])
+                first[ply_of(n)] = std::min(first[ply_of(n)], nodes.ids[n]);
         comm.min(first);
         Marks piece(count, 0);
         for (std::size_t n = 0; n < count; ++n) piece[n] = nodes.ids[n] == first[ply_of(n)];
@@ -135,7 +142,8 @@ bool JoinedFabric::is_eroded(const Model& model, std::size_t element) {
 }
 
 bool JoinedFabric::is_at_joined_node(const Model& model, std::size_t element) const {
-    return std::ranges::any_of(model.surface.facets[element].nodes, [&](auto node) { return has_node(static_cast<std::size_t>(node)); });
+    return std::ranges::any_of(model.surface.facets[element].nodes,
+                               [&](auto node) { return has_node(static_cast<std::size_t>(node)); });
 }
 
 }  // namespace weavefront::solver

@@ -17,7 +17,8 @@ contact::Deepest deepest_of_all(const contact::Deepest& local, const parallel::C
     };
     const auto& [overlap, in_thicknesses, place, element, time] = local;
     contact::Deepest deepest;
-    for (const auto& of : parallel::all_gather(comm, Plain{overlap, in_thicknesses, place.x(), place.y(), place.z(), time, element}))
+    for (const auto& of : parallel::all_gather(
+             comm, Plain{overlap, in_thicknesses, place.x(), place.y(), place.z(), time, element}))
         deepest.include({of.overlap, of.in_thicknesses, Vec3(of.x, of.y, of.z), of.element, of.time});
     return deepest;
 }

@@ -12,7 +12,8 @@ namespace {
 
 std::array<Vec3, 4> corners_of(const mesh::Part& part, std::size_t element) {
     std::array<Vec3, 4> corners;
-    for (std::size_t a = 0; a < 4; ++a) corners[a] = part.positions[static_cast<std::size_t>(part.element_nodes[element][a])];
+    for (std::size_t a = 0; a < 4; ++a)
+        corners[a] = part.positions[static_cast<std::size_t>(part.element_nodes[element][a])];
     return corners;
 }
 
@@ -20,7 +21,8 @@ InitialPositions initial_positions(const mesh::Panel& panel, const std::vector<V
     InitialPositions initial;
     const auto of_ply = positions.size() / panel.plies.size();
     initial.in_plane.one_ply.reserve(of_ply);
-    for (std::size_t n = 0; n < of_ply; ++n) initial.in_plane.one_ply.push_back({positions[n].x(), positions[n].y()});
+    for (std::size_t n = 0; n < of_ply; ++n)
+        initial.in_plane.one_ply.push_back({positions[n].x(), positions[n].y()});
     for (const auto& ply : panel.plies) initial.heights.push_back(ply.z);
     return initial;
 }
@@ -39,8 +41,8 @@ Nodes build_nodes(const mesh::Panel& panel, const mesh::Part& part, const std::v
 }
 
 /// A quarter of each element's mass on each of its nodes, summed as integers over the ranks.
-void lump_mass(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, const std::vector<double>& areas,
-               const parallel::Communicator& comm, Model& model) {
+void lump_mass(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part,
+               const std::vector<double>& areas, const parallel::Communicator& comm, Model& model) {
     double largest = 0;
     std::vector<double> quarter;
     for (std::size_t e = 0; e < areas.size(); ++e) {
@@ -51,7 +53,8 @@ void lump_mass(const scene::Scene& scene, const mesh::Panel& panel, const mesh::
     const parallel::FixedPoint scale(comm.max(largest));
     std::vector<FixedVector> sums(part.node_ids.size());
     for (std::size_t e = 0; e < areas.size(); ++e)
-        for (const auto node : part.element_nodes[e]) sums[static_cast<std::size_t>(node)][0] += scale.from(quarter[e]);
+        for (const auto node : part.element_nodes[e])
+            sums[static_cast<std::size_t>(node)][0] += scale.from(quarter[e]);
     halo_exchange(model.halo).sum(comm, sums);
     model.nodes.mass.reserve(sums.size());
     for (const auto& sum : sums) model.nodes.mass.push_back(scale.to(sum[0]));
@@ -63,7 +66,8 @@ void build_groups(const scene::Scene& scene, const mesh::Panel& panel, const mes
     for (std::size_t e = 0; e < part.element_ids.size(); ++e) {
         const auto& ply = panel.plies[static_cast<std::size_t>(part.element_plies[e])];
         by_fabric[static_cast<std::size_t>(ply.fabric)].push_back(
-            {static_cast<std::int32_t>(e), part.element_nodes[e], shell::make_quad(corners_of(part, e), ply.angle)});
+            {static_cast<std::int32_t>(e), part.element_nodes[e],
+             shell::make_quad(corners_of(part, e), ply.angle)});
     }
     for (std::size_t f = 0; f < by_fabric.size(); ++f) {
         if (by_fabric[f].empty()) continue;
@@ -79,14 +83,15 @@ void build_groups(const scene::Scene& scene, const mesh::Panel& panel, const mes
     }
 }
 
-void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, const std::vector<double>& areas,
-                   contact::Surface& surface) {
+void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part,
+                   const std::vector<double>& areas, contact::Surface& surface) {
     surface.facets.reserve(part.element_ids.size());
     for (std::size_t e = 0; e < part.element_ids.size(); ++e)
         surface.facets.push_back({part.element_ids[e], part.element_nodes[e], part.element_plies[e]});
     surface.alive.assign(part.element_ids.size(), 1);
     surface.owned = static_cast<std::int32_t>(part.element_ids.size());
-    surface.areas.one_ply.assign(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / panel.plies.size()));
+    surface.areas.one_ply.assign(
+        areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / panel.plies.size()));
     surface.symmetry = panel.symmetry;
     for (const auto& ply : panel.plies) {
         const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
@@ -94,14 +99,17 @@ void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const me
     }
 }
 
-/// The force that strains the stiffest yarns of the largest element by a tenth, or presses contact through its thickness.
+/// The force that strains the stiffest yarns of the largest element by a tenth, or presses contact through
+/// its thickness.
 double largest_force(const scene::Scene& scene) {
     const auto& target = *scene.target;
     double largest = 0;
     for (const auto& fabric : scene.fabrics) {
-        const double membrane = 0.1 * fabric.elastic.hooke_modulus * fabric.yarn.area / fabric.yarn.span * target.mesh.edge;
+        const double membrane =
+            0.1 * fabric.elastic.hooke_modulus * fabric.yarn.area / fabric.yarn.span * target.mesh.edge;
         const double pressed = target.mesh.edge * target.mesh.edge * fabric.contact_thickness;
-        largest = std::max({largest, membrane, scene.contact.projectile ? scene.contact.projectile->stiffness * pressed : 0.0,
+        largest = std::max({largest, membrane,
+                            scene.contact.projectile ? scene.contact.projectile->stiffness * pressed : 0.0,
                             scene.contact.plies ? scene.contact.plies->stiffness * pressed : 0.0,
                             target.frame ? scene.contact.frame.stiffness * pressed : 0.0});
     }
@@ -111,7 +119,8 @@ double largest_force(const scene::Scene& scene) {
 }  // namespace
 
 bool Model::touches(std::int32_t element) const {
-    return (ply_contact && ply_contact->touches(element)) || (projectile_contact && projectile_contact->touches(element));
+    return (ply_contact && ply_contact->touches(element)) ||
+           (projectile_contact && projectile_contact->touches(element));
 }
 
 shell::ElementOutput Model::output(std::int32_t element) const {
@@ -121,22 +130,25 @@ shell::ElementOutput Model::output(std::int32_t element) const {
 }
 
 std::size_t Model::bytes() const {
-    std::size_t sum = nodes.x.size() * (2 * sizeof(Vec3) + sizeof(FixedVector) + sizeof(double) + sizeof(std::int64_t) + 1);
+    std::size_t sum =
+        nodes.x.size() * (2 * sizeof(Vec3) + sizeof(FixedVector) + sizeof(double) + sizeof(std::int64_t) + 1);
     for (const auto& group : groups) sum += group->bytes();
     return sum + surface.facets.size() * (sizeof(contact::Facet) + 1);
 }
 
-partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, double ghost_reach,
-                                               const parallel::Communicator& comm) {
+partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel,
+                                               double ghost_reach, const parallel::Communicator& comm) {
     partition::Decomposition decomposition{comm.size(), {}};
-    if (comm.size() > panel.columns()) return partition::decompose(panel, {}, comm.size());  // throws on every rank
-    parallel::on_root(comm, [&] { decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach); });
+    if (comm.size() > panel.columns())
+        return partition::decompose(panel, {}, comm.size());  // throws on every rank
+    parallel::on_root(
+        comm, [&] { decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach); });
     comm.broadcast(decomposition.owner);
     return decomposition;
 }
 
-Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const partition::Decomposition& decomposition,
-                  const parallel::Communicator& comm) {
+Model build_model(const scene::Scene& scene, const mesh::Panel& panel,
+                  const partition::Decomposition& decomposition, const parallel::Communicator& comm) {
     const auto part = mesh::make_part(panel, decomposition.columns_of(comm.rank()));
     Model model;
     model.halo = partition::make_halo_plan(panel, decomposition, part, comm.rank());
@@ -145,25 +157,29 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const par
     model.smallest_edge = panel.smallest_edge();
     build_groups(scene, panel, part, model);
     std::vector<double> areas;
-    for (std::size_t e = 0; e < part.element_ids.size(); ++e) areas.push_back(shell::make_quad(corners_of(part, e), 0).area);
+    for (std::size_t e = 0; e < part.element_ids.size(); ++e)
+        areas.push_back(shell::make_quad(corners_of(part, e), 0).area);
     lump_mass(scene, panel, part, areas, comm, model);
     build_surface(scene, panel, part, areas, model.surface);
     model.exchange = halo_exchange(model.halo);
     model.assembly = Assembly(largest_force(scene));
     if (scene.projectile) {
         const auto& p = *scene.projectile;
-        model.projectile =
-            contact::ProjectileState{Vec3(p.position[0], p.position[1], p.position[2]), Vec3(p.velocity[0], p.velocity[1], p.velocity[2])};
+        model.projectile = contact::ProjectileState{Vec3(p.position[0], p.position[1], p.position[2]),
+                                                    Vec3(p.velocity[0], p.velocity[1], p.velocity[2])};
         if (scene.contact.projectile)
-            model.projectile_contact.emplace(p, *scene.contact.projectile, scene.contact.spacing, model.surface, model.nodes.x);
+            model.projectile_contact.emplace(p, *scene.contact.projectile, scene.contact.spacing,
+                                             model.surface, model.nodes.x);
     }
     if (scene.contact.plies && panel.plies.size() > 1)
         model.ply_contact.emplace(*scene.contact.plies, scene.contact.spacing, model.surface, model.nodes.x);
     if (scene.target->frame)
-        model.frame_contact.emplace(*scene.target->frame, scene.contact.frame, scene.contact.spacing, model.surface, model.nodes.x);
+        model.frame_contact.emplace(*scene.target->frame, scene.contact.frame, scene.contact.spacing,
+                                    model.surface, model.nodes.x);
     if (scene.target->frame && scene.projectile && scene.contact.projectile) {
         const auto& last = model.surface.plies.back();
-        model.projectile_on_frame.emplace(*scene.projectile, *scene.target->frame, *scene.contact.projectile, last.z + last.thickness / 2);
+        model.projectile_on_frame.emplace(*scene.projectile, *scene.target->frame, *scene.contact.projectile,
+                                          last.z + last.thickness / 2);
     }
     return model;
 }

@@ -22,7 +22,8 @@ WEAVEFRONT_INLINE void for_blocks(Call call) {
 
 void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, double dt) {
     const auto count = nodes.x.size(), whole = count / together * together;
-    const double quantum = scale.quantum();  // the scale is a power of two: times its inverse is divided by it
+    const double quantum =
+        scale.quantum();  // the scale is a power of two: times its inverse is divided by it
     for (std::size_t n = 0; n < whole; n += together) {
         const Pack mass = Pack::load_anywhere(&nodes.mass[n]);
         const std::int64_t* force = nodes.force[n].data();
@@ -43,8 +44,8 @@ void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, d
         }
 }
 
-std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const parallel::FixedPoint& scale, std::size_t first, double step,
-                                                      double backward) {
+std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const parallel::FixedPoint& scale,
+                                                      std::size_t first, double step, double backward) {
     static_assert(energies_at_once == together);
     const double quantum = scale.quantum();
     const Pack mass = Pack::load_anywhere(&nodes.mass[first]);
@@ -53,13 +54,15 @@ std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const 
     std::array<double, 3 * together> products;
     for_blocks([&]<int block>() __attribute__((always_inline)) {
         constexpr auto at = block * together;
-        const Pack f = to_pack(fabric::Integers::load(force + at)) * quantum, now = Pack::load_anywhere(v + at);
+        const Pack f = to_pack(fabric::Integers::load(force + at)) * quantum,
+                   now = Pack::load_anywhere(v + at);
         const Pack next = now + step * (f / fabric::spread<block>(mass)), acceleration = (next - now) / step;
         (now * (now + backward * acceleration)).store_anywhere(products.data() + at);
     });
     std::array<double, energies_at_once> energies;
     for (std::size_t n = 0; n < together; ++n)
-        energies[n] = nodes.mass[first + n] * (products[3 * n] + products[3 * n + 1] + products[3 * n + 2]) / 2;
+        energies[n] =
+            nodes.mass[first + n] * (products[3 * n] + products[3 * n + 1] + products[3 * n + 2]) / 2;
     return energies;
 }
 

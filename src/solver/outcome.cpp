@@ -31,7 +31,8 @@ std::string_view name_of(Verdict verdict) {
 Outcome outcome_of(const Simulation& simulation) {
     const auto& passages = simulation.passages().plies();
     const auto count = [&](Way way) {
-        return std::ranges::count_if(passages, [&](const auto& passage) { return passage && passage->way == way; });
+        return std::ranges::count_if(passages,
+                                     [&](const auto& passage) { return passage && passage->way == way; });
     };
     Outcome outcome;
     outcome.plies_perforated = count(Way::hole);
@@ -39,7 +40,8 @@ Outcome outcome_of(const Simulation& simulation) {
         const auto all = static_cast<std::int64_t>(passages.size());
         outcome.verdict = outcome.plies_perforated == all ? Verdict::perforated : Verdict::passed;
         outcome.decided_at = 0;
-        for (const auto& passage : passages) outcome.decided_at = std::max(*outcome.decided_at, passage->time);
+        for (const auto& passage : passages)
+            outcome.decided_at = std::max(*outcome.decided_at, passage->time);
     } else if (simulation.counts().turned_back) {
         outcome.verdict = Verdict::stopped;
         outcome.decided_at = simulation.counts().turned_back;

@@ -22,26 +22,29 @@ std::optional<double> height_at(const std::array<Vec3, 4>& corners, const Vec3& 
 
 /// What of a ply is around the projectile's middle.
 struct Around {
-    bool ahead = false;          ///< fabric within the radius that is not behind it, or any that presses on it
+    bool ahead = false;  ///< fabric within the radius that is not behind it, or any that presses on it
     std::int64_t across = none;  ///< lowest element across its axis behind it
 };
 
 /// Whether an owned facet belongs to the target and is neither torn nor next to what is.
 bool is_sound(const Model& model, const JoinedFabric& fabric, std::size_t facet) {
     const auto& surface = model.surface;
-    if (!fabric.has_element(model, facet) || (!surface.on_free_edge.empty() && surface.on_free_edge[facet])) return false;
+    if (!fabric.has_element(model, facet) || (!surface.on_free_edge.empty() && surface.on_free_edge[facet]))
+        return false;
     const auto slot = model.slots[facet];
     const auto intact = model.groups[static_cast<std::size_t>(slot.group)]->intact_yarns(slot.index);
     return intact.fill && intact.warp;
 }
 
-std::vector<Around> look_around(const Model& model, const JoinedFabric& fabric, std::span<const contact::PairForce> pairs,
-                                const Vec3& middle, double radius) {
+std::vector<Around> look_around(const Model& model, const JoinedFabric& fabric,
+                                std::span<const contact::PairForce> pairs, const Vec3& middle,
+                                double radius) {
     const auto& surface = model.surface;
     std::vector<Around> plies(surface.plies.size());
     const auto nodes_of_ply = model.nodes.count / static_cast<std::int32_t>(plies.size());
     for (const auto& pair : pairs)
-        if (pair.kind == contact::Master::projectile) plies[static_cast<std::size_t>(pair.slave[0] / nodes_of_ply)].ahead = true;
+        if (pair.kind == contact::Master::projectile)
+            plies[static_cast<std::size_t>(pair.slave[0] / nodes_of_ply)].ahead = true;
     for (const auto f : model.projectile_contact->candidates()) {
         const auto i = static_cast<std::size_t>(f);
         const auto& facet = surface.facets[i];
@@ -67,7 +70,8 @@ std::array<Vec3, 2> initial_diagonal(const mesh::Panel& panel, std::int64_t elem
     return {panel.position(ply, corners[0]), panel.position(ply, corners[2])};
 }
 
-/// Whether an element was near another one of its ply at the start: within the projectile's radius and the size of the other.
+/// Whether an element was near another one of its ply at the start: within the projectile's radius and the
+/// size of the other.
 bool is_near(const mesh::Panel& panel, std::int64_t element, std::int64_t other, double radius) {
     const auto [a, b] = initial_diagonal(panel, element);
     const auto [c, d] = initial_diagonal(panel, other);
@@ -80,8 +84,8 @@ struct Eroded {
 };
 
 /// @param across elements, one a ply, or none @note Collective
-Eroded count_eroded(const Model& model, const mesh::Panel& panel, std::span<const std::int64_t> across, double radius,
-                    const parallel::Communicator& comm) {
+Eroded count_eroded(const Model& model, const mesh::Panel& panel, std::span<const std::int64_t> across,
+                    double radius, const parallel::Communicator& comm) {
     Eroded eroded{std::vector<std::int64_t>(across.size(), 0), std::vector<std::int64_t>(across.size(), 0)};
     for (std::size_t f = 0; f < static_cast<std::size_t>(model.surface.owned); ++f) {
         if (model.surface.alive[f]) continue;
@@ -101,8 +105,9 @@ bool Passages::all() const {
     return std::ranges::all_of(plies_, [](const auto& passage) { return passage.has_value(); });
 }
 
-void Passages::look(const Model& model, const JoinedFabric& fabric, const mesh::Panel& panel, std::span<const contact::PairForce> pairs,
-                    const Vec3& middle, double radius, double time, const parallel::Communicator& comm) {
+void Passages::look(const Model& model, const JoinedFabric& fabric, const mesh::Panel& panel,
+                    std::span<const contact::PairForce> pairs, const Vec3& middle, double radius, double time,
+                    const parallel::Communicator& comm) {
     const auto around = look_around(model, fabric, pairs, middle, radius);
     std::vector<std::int64_t> ahead(plies_.size(), 0);
     for (std::size_t p = 0; p < plies_.size(); ++p) ahead[p] = around[p].ahead && !plies_[p] ? 1 : 0;
@@ -121,7 +126,11 @@ void Passages::look(const Model& model, const JoinedFabric& fabric, const mesh::
     for (std::size_t p = 0; p < plies_.size(); ++p) {
         if (!passed_now(p)) continue;
         const bool is_across = across[p] != none, torn = is_across ? eroded.near[p] > 0 : eroded.all[p] > 0;
-        plies_[p] = Passage{time, torn ? Way::hole : is_across ? Way::whole_fabric : Way::beside, is_across ? across[p] : -1};
+        plies_[p] = Passage{time,
+                            torn        ? Way::hole
+                            : is_across ? Way::whole_fabric
+                                        : Way::beside,
+                            is_across ? across[p] : -1};
     }
 }
 

@@ -23,16 +23,19 @@ std::array<double, shown_of_eroded> numbers_of(const shell::ElementOutput& o) {
 }
 
 shell::ElementOutput output_of(std::span<const double> numbers) {
-    return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6] != 0, numbers[7] != 0};
+    return {numbers[0], numbers[1], numbers[2],      numbers[3],
+            numbers[4], numbers[5], numbers[6] != 0, numbers[7] != 0};
 }
 
-/// The id of an element (below 2^53, so a double holds it), its corners' motion, and what fabric and contact remember of it.
+/// The id of an element (below 2^53, so a double holds it), its corners' motion, and what fabric and contact
+/// remember of it.
 std::vector<double> record_of(const Model& model, std::int32_t element) {
     const auto e = static_cast<std::size_t>(element);
     std::vector<double> record{static_cast<double>(model.global.element_ids[e])};
     for (const auto node : model.surface.facets[e].nodes) {
         const auto n = static_cast<std::size_t>(node);
-        for (const auto* vector : {&model.nodes.x[n], &model.nodes.v[n]}) record.insert(record.end(), vector->begin(), vector->end());
+        for (const auto* vector : {&model.nodes.x[n], &model.nodes.v[n]})
+            record.insert(record.end(), vector->begin(), vector->end());
     }
     const auto slot = model.slots[e];
     const auto& group = *model.groups[static_cast<std::size_t>(slot.group)];
@@ -56,7 +59,8 @@ Vec3 take_vector(std::span<const double>& record) {
 /// Takes up the first of some records. @return those after it
 std::span<const double> take_record(std::span<const double> records, Model& model) {
     const auto& ids = model.global.element_ids;
-    const auto e = static_cast<std::size_t>(std::ranges::lower_bound(ids, static_cast<std::int64_t>(records[0])) - ids.begin());
+    const auto e = static_cast<std::size_t>(
+        std::ranges::lower_bound(ids, static_cast<std::int64_t>(records[0])) - ids.begin());
     const auto element = static_cast<std::int32_t>(e);
     records = records.subspan(1);
     for (const auto node : model.surface.facets[e].nodes) {
@@ -79,14 +83,16 @@ std::span<const double> take_record(std::span<const double> records, Model& mode
 
 }  // namespace
 
-Model redistribute(const scene::Scene& scene, const mesh::Panel& panel, const partition::Decomposition& decomposition, const Model& model,
+Model redistribute(const scene::Scene& scene, const mesh::Panel& panel,
+                   const partition::Decomposition& decomposition, const Model& model,
                    const parallel::Communicator& comm) {
     auto next = build_model(scene, panel, decomposition, comm);
     next.projectile = model.projectile;
     next.projectile_on_frame = model.projectile_on_frame;
     std::vector<std::vector<double>> leaving(static_cast<std::size_t>(comm.size()));
     for (std::int32_t e = 0; e < model.surface.owned; ++e) {
-        const auto column = static_cast<std::size_t>(model.global.element_ids[static_cast<std::size_t>(e)] % panel.columns());
+        const auto column =
+            static_cast<std::size_t>(model.global.element_ids[static_cast<std::size_t>(e)] % panel.columns());
         const auto record = record_of(model, e);
         const auto owner = decomposition.owner[column];
         if (owner == comm.rank()) {

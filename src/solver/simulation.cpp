@@ -18,15 +18,17 @@ namespace {
 // Packs whose forces are buffered between the kernel and the sums: small enough for the second-level cache.
 constexpr std::int32_t packs_at_once = 64;
 
-// Lists of what may meet hold what comes within this many edges of the smallest element: short lists against few renewals.
+// Lists of what may meet hold what comes within this many edges of the smallest element: short lists against
+// few renewals.
 constexpr double skin_in_edges = 0.75;
 
-// Footprints of facets may approach by the skin: each of a pair by half of it, less this part of all, kept for the step that is under way.
+// Footprints of facets may approach by the skin: each of a pair by half of it, less this part of all, kept
+// for the step that is under way.
 constexpr double kept_of_skin = 0.125;
 
-// Ghosts are taken in from so much farther than they matter until the next search. In the 267 m/s example they last for about five searches
-// then, for 3 % more of them; where the mesh is about as fine as the reach they may be a layer of columns more, three instead of two at 0.5
-// mm.
+// Ghosts are taken in from so much farther than they matter until the next search. In the 267 m/s example
+// they last for about five searches then, for 3 % more of them; where the mesh is about as fine as the reach
+// they may be a layer of columns more, three instead of two at 0.5 mm.
 constexpr double ghost_spare_in_edges = 0.5;
 
 // Nodes are expected anywhere on the way that they would take in so many steps.
@@ -44,13 +46,14 @@ constexpr double worth_raising = 1.05;
 std::string place_of(const mesh::Panel& panel, std::int64_t element) {
     const auto corners = panel.footprint(element % panel.columns());
     const Vec3 centre = (panel.position(0, corners[0]) + panel.position(0, corners[2])) / 2;
-    return fmt::format("element {} (ply {}, at x = {:.4g} mm, y = {:.4g} mm)", element, element / panel.columns() + 1, centre.x() * 1e3,
-                       centre.y() * 1e3);
+    return fmt::format("element {} (ply {}, at x = {:.4g} mm, y = {:.4g} mm)", element,
+                       element / panel.columns() + 1, centre.x() * 1e3, centre.y() * 1e3);
 }
 
 double mass_of(const scene::Scene& scene) {
     double density = 0;
-    for (const auto& ply : scene.target->plies) density += scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density;
+    for (const auto& ply : scene.target->plies)
+        density += scene.fabrics[static_cast<std::size_t>(ply.fabric)].areal_density;
     return density * scene.target->size[0] * scene.target->size[1];
 }
 
@@ -59,7 +62,8 @@ double most_energy_of_target(const scene::Scene& scene, double speed) {
     double of_area = 0;
     for (const auto& ply : scene.target->plies) {
         const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
-        of_area += fabric.yarn.area / fabric.yarn.span * fabric.elastic.hooke_modulus * ledger_strain * ledger_strain;
+        of_area += fabric.yarn.area / fabric.yarn.span * fabric.elastic.hooke_modulus * ledger_strain *
+                   ledger_strain;
     }
     return mass_of(scene) * speed * speed / 2 + of_area * scene.target->size[0] * scene.target->size[1];
 }
@@ -70,7 +74,8 @@ double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel) {
     const double skin_and_spare = (skin_in_edges + ghost_spare_in_edges) * panel.smallest_edge();
     if (!scene.contact.plies || panel.plies.size() < 2) {
         // The smoothed normals of a rank's own nodes take the facets around them.
-        const bool integrated = scene.contact.spacing && ((scene.contact.projectile && scene.projectile) || scene.target->frame);
+        const bool integrated =
+            scene.contact.spacing && ((scene.contact.projectile && scene.projectile) || scene.target->frame);
         return integrated ? skin_and_spare : 0;
     }
     double thickest = 0;
@@ -84,7 +89,8 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
       comm_(comm),
       shared_memory_(comm),
       panel_(mesh::make_panel(scene)),
-      model_(build_model(scene, panel_, initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
+      model_(build_model(scene, panel_,
+                         initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
       multiplicity_(panel_.multiplicity()),
       step_bound_(scene, panel_),
       passages_(panel_.plies.size()) {
@@ -95,7 +101,8 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
         initial_projectile_ = model_.projectile->position;
         initial_energy_ = scene.projectile->mass * model_.projectile->velocity.squaredNorm() / 2;
         // A heavy projectile keeps most of its energy: the sums resolve what it can hand over.
-        energy_scale_ = std::min(initial_energy_, most_energy_of_target(scene, model_.projectile->velocity.norm()));
+        energy_scale_ =
+            std::min(initial_energy_, most_energy_of_target(scene, model_.projectile->velocity.norm()));
     }
     list_supports();
     energy_ = parallel::FixedPoint(energy_scale_ > 0 ? energy_scale_ : 1);
@@ -156,7 +163,8 @@ void Simulation::record_events(const shell::Events& events) {
     counts_.broken_yarns += events.broken_fill + events.broken_warp;
     counts_.eroded_elements += static_cast<std::int64_t>(events.eroded.size());
     for (const auto element : events.broken) {
-        auto& first = counts_.first_break[static_cast<std::size_t>(model_.surface.facets[static_cast<std::size_t>(element)].ply)];
+        auto& first = counts_.first_break[static_cast<std::size_t>(
+            model_.surface.facets[static_cast<std::size_t>(element)].ply)];
         first = std::min(first, time_);
     }
     for (const double lost : events.lost_hourglass) add_energy(eroded_hourglass_, lost);
@@ -185,16 +193,21 @@ void Simulation::evaluate_contact() {
     normals.new_positions();
     const auto share = [&](ContactKind kind) { return sliding_[kind].share(); };
     if (model_.projectile_contact)
-        model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile, last_dt_, share(of_projectile),
-                                            contact_);
+        model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile,
+                                            last_dt_, share(of_projectile), contact_);
     book_sliding(of_projectile);
-    if (model_.ply_contact) model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_plies), contact_);
+    if (model_.ply_contact)
+        model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_plies),
+                                     contact_);
     book_sliding(of_plies);
     if (model_.frame_contact)
-        model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_frame), contact_);
+        model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_frame),
+                                       contact_);
     book_sliding(of_frame);
-    for (const auto& pair : contact_.pairs) model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
-    if (model_.projectile_on_frame) frame_force_ = without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, last_dt_));
+    for (const auto& pair : contact_.pairs)
+        model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
+    if (model_.projectile_on_frame)
+        frame_force_ = without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, last_dt_));
     count_contact_work(last_dt_);
     contact_.deepest.time = time_;
     counts_.deepest.include(contact_.deepest);
@@ -212,22 +225,27 @@ void Simulation::book_sliding(ContactKind kind) {
 void Simulation::count_contact_work(double dt) {
     const auto& v = model_.nodes.v;
     for (const auto& pair : contact_.pairs) {
-        double power = pair.kind == contact::Master::projectile ? -pair.total.dot(model_.projectile->velocity) : 0;
+        double power =
+            pair.kind == contact::Master::projectile ? -pair.total.dot(model_.projectile->velocity) : 0;
         for (std::size_t a = 0; a < 4; ++a) {
             power += pair.on_slave[a].dot(v[static_cast<std::size_t>(pair.slave[a])]);
-            if (pair.kind == contact::Master::facet) power += pair.on_master[a].dot(v[static_cast<std::size_t>(pair.master[a])]);
+            if (pair.kind == contact::Master::facet)
+                power += pair.on_master[a].dot(v[static_cast<std::size_t>(pair.master[a])]);
         }
         add_energy(contact_work_, -power * dt / 2);
     }
-    if (frame_force_ != Vec3::Zero() && comm_.rank() == 0)  // of the whole target, which the ledger has from its part
+    if (frame_force_ != Vec3::Zero() &&
+        comm_.rank() == 0)  // of the whole target, which the ledger has from its part
         add_energy(contact_work_, -frame_force_.dot(model_.projectile->velocity) * dt / 2 / multiplicity_);
 }
 
 void Simulation::sum_over_ranks() {
     const Timed timed(seconds_, Phase::halo);
     model_.exchange.start(comm_, model_.nodes.force);
-    const bool faulty = model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || faulty_energy_;
-    const bool stiffened = std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
+    const bool faulty =
+        model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || faulty_energy_;
+    const bool stiffened =
+        std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
     enum Sum : std::size_t {
         x,
         y,
@@ -242,14 +260,18 @@ void Simulation::sum_over_ranks() {
         size = wanted + contact_kinds
     };
     std::array<std::int64_t, size> sums{
-        on_projectile_[0],   on_projectile_[1], on_projectile_[2],      static_cast<std::int64_t>(just_eroded_.size()),
-        moved_far() ? 1 : 0, stiffened ? 1 : 0, is_stop_asked_ ? 1 : 0, faulty ? 1 : 0};
+        on_projectile_[0],      on_projectile_[1],
+        on_projectile_[2],      static_cast<std::int64_t>(just_eroded_.size()),
+        moved_far() ? 1 : 0,    stiffened ? 1 : 0,
+        is_stop_asked_ ? 1 : 0, faulty ? 1 : 0};
     std::ranges::copy(sliding_released_, sums.begin() + released);
     std::ranges::copy(sliding_wanted_, sums.begin() + wanted);
     comm_.sum(sums);
-    for (std::size_t kind = 0; kind < contact_kinds; ++kind) sliding_[kind].book(sums[released + kind], sums[wanted + kind]);
+    for (std::size_t kind = 0; kind < contact_kinds; ++kind)
+        sliding_[kind].book(sums[released + kind], sums[wanted + kind]);
     model_.exchange.finish(model_.nodes.force);
-    projectile_force_ = without_mirrored(multiplicity_ * model_.assembly.value({sums[x], sums[y], sums[z]})) + frame_force_;
+    projectile_force_ =
+        without_mirrored(multiplicity_ * model_.assembly.value({sums[x], sums[y], sums[z]})) + frame_force_;
     if (projectile_force_ != Vec3::Zero()) counts_.touched = true, counts_.last_touched = time_;
     any_eroded_ = any_eroded_ || sums[eroded] > 0;
     candidates_outdated_ = sums[eroded] > 0 || sums[left] > 0;
@@ -269,9 +291,11 @@ void Simulation::stop_at_fault() const {
     std::int64_t element = local < 0 ? none : model_.global.element_ids[static_cast<std::size_t>(local)];
     comm_.min({&element, 1});
     const auto limit = 1024 * model_.assembly.scale().quantum() * 0x1p44;
-    const auto where = element == none ? std::string("a contact point or a breaking element") : place_of(panel_, element);
+    const auto where =
+        element == none ? std::string("a contact point or a breaking element") : place_of(panel_, element);
     throw GuardStop(
-        fmt::format("the force of {} is not finite or above {:.3g} N at t = {:.6g} us, step {}: the deformation has become unstable; "
+        fmt::format("the force of {} is not finite or above {:.3g} N at t = {:.6g} us, step {}: the "
+                    "deformation has become unstable; "
                     "try a smaller time.safety",
                     where, limit, time_ * 1e6, steps_));
 }
@@ -288,7 +312,8 @@ void Simulation::adapt_time_step() {
     step_bound_.set_triggers(model_);
     next_check_ = steps_ + step_bound_.steps_to_next();
     const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);
-    if (!(bound > 0)) throw GuardStop(fmt::format("the time step vanished at t = {:.6g} us, step {}", time_ * 1e6, steps_));
+    if (!(bound > 0))
+        throw GuardStop(fmt::format("the time step vanished at t = {:.6g} us, step {}", time_ * 1e6, steps_));
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
     dt_ = bound;
     for (const auto& group : model_.groups) group->set_time_step(dt_);
@@ -311,7 +336,8 @@ void Simulation::move_nodes() {
     if (scene_.damping > 0) {
         for (std::size_t n = 0; n < nodes.x.size(); ++n) {
             const Vec3 next = updated_velocity(n);
-            if (n < nodes.owned.size() && nodes.owned[n]) add_energy(damping_work_, damping_work(n, next, last_dt_, dt_));
+            if (n < nodes.owned.size() && nodes.owned[n])
+                add_energy(damping_work_, damping_work(n, next, last_dt_, dt_));
             nodes.v[n] = next;
             nodes.x[n] += dt_ * next;
         }
@@ -323,7 +349,8 @@ void Simulation::move_nodes() {
         model_.projectile->position += dt_ * model_.projectile->velocity;
     }
     time_ += dt_;
-    if (model_.projectile && !counts_.turned_back && model_.projectile->velocity.z() <= 0) counts_.turned_back = time_;
+    if (model_.projectile && !counts_.turned_back && model_.projectile->velocity.z() <= 0)
+        counts_.turned_back = time_;
     last_dt_ = dt_;
     ++steps_;
 }
@@ -334,7 +361,8 @@ void Simulation::look_for_passages() {
     const double length = projectile.shape == scene::Shape::sphere ? projectile.diameter : projectile.length;
     const Vec3 middle = model_.projectile->position - Vec3(0, 0, length / 2);
     if (middle.z() <= 0) return;  // in front of the first ply as it was
-    passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, projectile.diameter / 2, time_, comm_);
+    passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, projectile.diameter / 2, time_,
+                   comm_);
 }
 
 contact::Deepest Simulation::deepest() const { return deepest_of_all(counts_.deepest, comm_); }
@@ -345,7 +373,8 @@ bool Simulation::moved_far() const {
     if (swept_nodes_.empty()) return false;
     const double margin = model_.smallest_edge * skin_in_edges * (0.5 - kept_of_skin);
     return swept_nodes_.any_outside(model_.nodes.own_x(), margin) ||
-           (model_.projectile_contact && swept_projectile_.any_outside({&model_.projectile->position, 1}, margin));
+           (model_.projectile_contact &&
+            swept_projectile_.any_outside({&model_.projectile->position, 1}, margin));
 }
 
 void Simulation::update_candidates() {
@@ -358,17 +387,20 @@ void Simulation::update_candidates() {
     swept_nodes_ = contact::SweptBounds(nodes.x, nodes.v, ahead);
     if (any_eroded_) find_free_edges(comm_, panel_, model_);
     const double reach = ghost_reach(scene_, panel_), spare = ghost_spare_in_edges * panel_.smallest_edge();
-    if (reach > 0 && model_.ghosts.renew(comm_, model_.halo, swept_nodes_, reach, spare, model_.surface, nodes, model_.exchange)) {
+    if (reach > 0 && model_.ghosts.renew(comm_, model_.halo, swept_nodes_, reach, spare, model_.surface,
+                                         nodes, model_.exchange)) {
         model_.exchange.use(comm_, shared_memory_);
         swept_nodes_ = contact::SweptBounds(nodes.x, nodes.v, ahead);
         list_supports();
         model_.normals.rebuild(model_.surface, nodes.x.size());
     }
-    if (model_.ply_contact) model_.ply_contact->update_candidates(model_.surface, swept_nodes_, nodes.x, skin);
+    if (model_.ply_contact)
+        model_.ply_contact->update_candidates(model_.surface, swept_nodes_, nodes.x, skin);
     if (model_.projectile_contact) {
         auto& projectile = *model_.projectile;
         swept_projectile_ = contact::SweptBounds({&projectile.position, 1}, {&projectile.velocity, 1}, ahead);
-        model_.projectile_contact->update_candidates(model_.surface, swept_nodes_, swept_projectile_.of_node(0), skin);
+        model_.projectile_contact->update_candidates(model_.surface, swept_nodes_,
+                                                     swept_projectile_.of_node(0), skin);
     }
     release_debris_nodes();
 }
@@ -384,7 +416,8 @@ void Simulation::release_debris_nodes() {
 }
 
 Vec3 Simulation::velocity(std::size_t node) const {
-    const Vec3 &v = model_.nodes.v[node], acceleration = (updated_velocity(node) - v) / ((last_dt_ + dt_) / 2);
+    const Vec3 &v = model_.nodes.v[node],
+               acceleration = (updated_velocity(node) - v) / ((last_dt_ + dt_) / 2);
     return v + last_dt_ / 2 * acceleration;
 }
 

@@ -25,7 +25,8 @@ scene::Scene without(scene::Scene scene, StepLimit contact) {
 
 StepLimits step_limits(const scene::Scene& scene, const mesh::Panel& panel) {
     const auto alone = parallel::Communicator::alone();
-    const partition::Decomposition whole{1, std::vector<std::int32_t>(static_cast<std::size_t>(panel.columns()), 0)};
+    const partition::Decomposition whole{
+        1, std::vector<std::int32_t>(static_cast<std::size_t>(panel.columns()), 0)};
     const Model model = build_model(scene, panel, whole, alone);
     const auto step = [&](const scene::Scene& some) {
         return scene.time.safety * 2 / std::sqrt(StepBound(some, panel).frequency_squared(model, {}, alone));

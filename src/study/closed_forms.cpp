@@ -4,7 +4,8 @@
 
 namespace weavefront::study {
 
-double constant_rate_stress(double static_modulus, double hooke_modulus, double tau, double rate, double time) {
+double constant_rate_stress(double static_modulus, double hooke_modulus, double tau, double rate,
+                            double time) {
     const double relaxed = tau > 0 ? -tau * std::expm1(-time / tau) : 0;
     return static_modulus * rate * time + (hooke_modulus - static_modulus) * rate * relaxed;
 }

@@ -31,8 +31,10 @@ double sense(std::span<const Point> series) {
 std::vector<std::optional<double>> local_orders(std::span<const Point> series) {
     std::vector<std::optional<double>> orders;
     for (std::size_t i = 1; i < series.size(); ++i) {
-        const bool known = series[i - 1].error > rounding && series[i].error > rounding && series[i - 1].size != series[i].size;
-        orders.push_back(known ? std::optional(sense(series) * slope(series.subspan(i - 1, 2))) : std::nullopt);
+        const bool known = series[i - 1].error > rounding && series[i].error > rounding &&
+                           series[i - 1].size != series[i].size;
+        orders.push_back(known ? std::optional(sense(series) * slope(series.subspan(i - 1, 2)))
+                               : std::nullopt);
     }
     return orders;
 }

@@ -24,7 +24,8 @@ class Table {
     /// @param may_be_cut the last line, as of a history whose run was killed
     Columns read(bool may_be_cut) {
         std::string line;
-        if (!std::getline(lines_, line)) throw scene::InputError({name_ + ":1:1: found nothing, allowed a header and rows of numbers"});
+        if (!std::getline(lines_, line))
+            throw scene::InputError({name_ + ":1:1: found nothing, allowed a header and rows of numbers"});
         read_header(line);
         while (std::getline(lines_, line)) {
             ++line_;
@@ -40,12 +41,15 @@ class Table {
     }
 
   private:
-    void report(std::size_t column, const std::string& what) { findings_.add(fmt::format("{}:{}:{}: {}", name_, line_, column, what)); }
+    void report(std::size_t column, const std::string& what) {
+        findings_.add(fmt::format("{}:{}:{}: {}", name_, line_, column, what));
+    }
 
     void read_header(const std::string& line) {
         for (const Cell& cell : cells_of(line)) {
             if (std::ranges::find(names_, cell.text) != names_.end())
-                report(cell.column, fmt::format("found the column '{}' again, allowed once", scene::printable(cell.text)));
+                report(cell.column,
+                       fmt::format("found the column '{}' again, allowed once", scene::printable(cell.text)));
             names_.push_back(cell.text);
         }
         columns_.resize(names_.size());
@@ -53,12 +57,14 @@ class Table {
 
     void read_row(const std::vector<Cell>& cells) {
         if (cells.size() != names_.size())
-            return report(1, fmt::format("found {} cells, allowed {}, one a column of the header", cells.size(), names_.size()));
+            return report(1, fmt::format("found {} cells, allowed {}, one a column of the header",
+                                         cells.size(), names_.size()));
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const auto value = scene::finite_number(cells[i].text);
             if (!value && !cells[i].text.empty())
-                report(cells[i].column, fmt::format("{}: found '{}', allowed a finite number or an empty cell", scene::printable(names_[i]),
-                                                    scene::printable(cells[i].text)));
+                report(cells[i].column,
+                       fmt::format("{}: found '{}', allowed a finite number or an empty cell",
+                                   scene::printable(names_[i]), scene::printable(cells[i].text)));
             columns_[i].push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
         }
     }
@@ -107,19 +113,24 @@ Columns read_columns(const std::filesystem::path& path) {
     }
 }
 
-Columns parse_columns(const std::string& text, const std::string& name) { return Table(text, name).read(false); }
+Columns parse_columns(const std::string& text, const std::string& name) {
+    return Table(text, name).read(false);
+}
 
 double distance(const Curve& curve, const Curve& reference, scene::Norm norm) {
     if (curve.time.size() < 2 || reference.time.size() < 2) return std::numeric_limits<double>::quiet_NaN();
-    const double from = std::max(curve.time.front(), reference.time.front()), to = std::min(curve.time.back(), reference.time.back());
+    const double from = std::max(curve.time.front(), reference.time.front()),
+                 to = std::min(curve.time.back(), reference.time.back());
     if (!(to > from)) return std::numeric_limits<double>::quiet_NaN();
     std::vector<double> times{from, to};
     for (const auto* all : {&curve.time, &reference.time})
-        std::ranges::copy_if(*all, std::back_inserter(times), [&](double time) { return time > from && time < to; });
+        std::ranges::copy_if(*all, std::back_inserter(times),
+                             [&](double time) { return time > from && time < to; });
     std::ranges::sort(times);
     Sum off(norm), whole(norm);
     for (std::size_t i = 1; i < times.size(); ++i) {
-        const double left = at(reference, times[i - 1]), right = at(reference, times[i]), width = times[i] - times[i - 1];
+        const double left = at(reference, times[i - 1]), right = at(reference, times[i]),
+                     width = times[i] - times[i - 1];
         whole.add(width, left, right);
         off.add(width, at(curve, times[i - 1]) - left, at(curve, times[i]) - right);
     }

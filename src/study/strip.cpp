@@ -58,7 +58,8 @@ StripWaves measure_strip(std::span<const StripFrame> frames, double expected) {
         kinks.push_back(kink(frame));
         fronts.push_back(front(frame, expected));
     }
-    if (times.size() < 2) throw std::runtime_error("the strip needs at least two frames in the last three quarters of the run");
+    if (times.size() < 2)
+        throw std::runtime_error("the strip needs at least two frames in the last three quarters of the run");
     const StripFrame& last = frames.back();
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < last.centre.size(); ++i) {
@@ -66,7 +67,8 @@ StripWaves measure_strip(std::span<const StripFrame> frames, double expected) {
         sum += last.strain[i];
         ++count;
     }
-    if (count == 0) throw std::runtime_error("the strip shows no plateau of strain behind its longitudinal front");
+    if (count == 0)
+        throw std::runtime_error("the strip shows no plateau of strain behind its longitudinal front");
     return {sum / count, fit(times, kinks).slope, fit(times, fronts).slope};
 }
 

@@ -35,7 +35,9 @@ std::vector<Cell> cells_of(std::string_view line) {
     return cells;
 }
 
-TextTable read_table(const std::filesystem::path& path) { return parse_table(scene::read_text(path, scene::most_of_table), path.string()); }
+TextTable read_table(const std::filesystem::path& path) {
+    return parse_table(scene::read_text(path, scene::most_of_table), path.string());
+}
 
 TextTable parse_table(const std::string& text, const std::string& name) {
     const auto texts_of = [](const std::string& line) {
@@ -46,13 +48,15 @@ TextTable parse_table(const std::string& text, const std::string& name) {
     std::istringstream lines(text);
     TextTable table;
     std::string line;
-    if (!std::getline(lines, line)) throw scene::InputError({fmt::format("{}:1:1: found nothing, allowed a header and rows", name)});
+    if (!std::getline(lines, line))
+        throw scene::InputError({fmt::format("{}:1:1: found nothing, allowed a header and rows", name)});
     table.header = texts_of(line);
     while (std::getline(lines, line)) {
         table.rows.push_back(texts_of(line));
         if (table.rows.back().size() != table.header.size())
-            throw scene::InputError({fmt::format("{}:{}:1: found {} cells, allowed {}", name, table.rows.size() + 1,
-                                                 table.rows.back().size(), table.header.size())});
+            throw scene::InputError(
+                {fmt::format("{}:{}:1: found {} cells, allowed {}", name, table.rows.size() + 1,
+                             table.rows.back().size(), table.header.size())});
     }
     return table;
 }

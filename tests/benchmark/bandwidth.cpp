@@ -10,7 +10,8 @@
 namespace weavefront::benchmark {
 namespace {
 
-/// a = b + 3 c over arrays far larger than any cache. Bytes are those that the loop names, two read and one written a value.
+/// a = b + 3 c over arrays far larger than any cache. Bytes are those that the loop names, two read and one
+/// written a value.
 void triad(::benchmark::State& state) {
     const std::size_t size = std::size_t{8} << 20;
     std::vector<double> a(size, 1), b(size, 2), c(size, 3);
@@ -26,7 +27,8 @@ void triad(::benchmark::State& state) {
 }
 BENCHMARK(triad);
 
-/// Independent multiplications and additions of whole registers, as many of each: the most arithmetic instructions in a second.
+/// Independent multiplications and additions of whole registers, as many of each: the most arithmetic
+/// instructions in a second.
 void arithmetic(::benchmark::State& state) {
     constexpr int chains = 6, rounds = 1000;
     std::array<fabric::Register, chains> products, sums;

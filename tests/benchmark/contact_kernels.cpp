@@ -13,11 +13,13 @@ namespace {
 
 /// Eight normals against a facet below them, all of which meet it.
 void ray(::benchmark::State& state) {
-    const std::array<Vec3, 4> facet{Vec3(0, 0, 0), Vec3(1e-3, 0, 1e-5), Vec3(1e-3, 1e-3, 0), Vec3(0, 1e-3, -1e-5)};
+    const std::array<Vec3, 4> facet{Vec3(0, 0, 0), Vec3(1e-3, 0, 1e-5), Vec3(1e-3, 1e-3, 0),
+                                    Vec3(0, 1e-3, -1e-5)};
     std::mt19937_64 random(8);
     contact::Rays rays;
     for (std::size_t i = 0; i < contact::batch_width; ++i) {
-        rays.origin.x[i] = uniform(random, 1e-4, 9e-4), rays.origin.y[i] = uniform(random, 1e-4, 9e-4), rays.origin.z[i] = -2e-4;
+        rays.origin.x[i] = uniform(random, 1e-4, 9e-4), rays.origin.y[i] = uniform(random, 1e-4, 9e-4),
+        rays.origin.z[i] = -2e-4;
         rays.direction.x[i] = uniform(random, -0.05, 0.05), rays.direction.y[i] = 0;
         rays.direction.z[i] = std::sqrt(1 - rays.direction.x[i] * rays.direction.x[i]);
     }
@@ -48,8 +50,8 @@ void penalty(::benchmark::State& state) {
         double dissipated = 0;
         for (std::size_t n = 0; n < batch; ++n) {
             const double closing = direction * speeds[n];
-            const auto response = law.advance(points[n], speeds[n] * depth, {closing, closing, speeds[n]}, dt, 1.0 / batch,
-                                              {.dissipated_budget = dissipated_budget});
+            const auto response = law.advance(points[n], speeds[n] * depth, {closing, closing, speeds[n]}, dt,
+                                              1.0 / batch, {.dissipated_budget = dissipated_budget});
             pressure += response.pressure, dissipated += response.dissipated;
         }
         dissipated_budget += dissipated;

@@ -14,8 +14,12 @@ namespace weavefront::benchmark {
 namespace {
 
 using fabric::Pack;
-constexpr fabric::Features full{
-    .formulation = scene::Formulation::consistent, .crimp = true, .viscous = true, .lateral = true, .friction = true, .failure = true};
+constexpr fabric::Features full{.formulation = scene::Formulation::consistent,
+                                .crimp = true,
+                                .viscous = true,
+                                .lateral = true,
+                                .friction = true,
+                                .failure = true};
 constexpr double dt = 1e-8;
 
 /// A value a point, from which either number type takes its own.
@@ -27,10 +31,12 @@ Values draw(std::mt19937_64& random, double a, double b) {
     return values;
 }
 
-/// Yarns as an impact leaves them: stretched by up to 6 %, half way between fill and warp taking up the crimp.
+/// Yarns as an impact leaves them: stretched by up to 6 %, half way between fill and warp taking up the
+/// crimp.
 struct Crossovers {
     std::mt19937_64 random{3};
-    Values stretch_f = draw(random, 1, 1.06), stretch_w = draw(random, 0.99, 1.01), height = draw(random, 0.1, 0.3);
+    Values stretch_f = draw(random, 1, 1.06), stretch_w = draw(random, 0.99, 1.01),
+           height = draw(random, 0.1, 0.3);
     Values stress_f = draw(random, 0, 2e9), stress_w = draw(random, 0, 5e8);
 };
 
@@ -42,16 +48,20 @@ void crimp(::benchmark::State& state) {
     Values rises(batch);
     for (auto _ : state) {
         for (std::size_t at = 0; at < batch; at += fabric::width<Real>) {
-            const auto load = [at](const Values& values) { return fabric::RealTraits<Real>::load(values.data() + at); };
-            const Real h_f = c.thickness * load(drawn.height), h_w = 0.5 * c.thickness - h_f, half_span = 0.5 * c.span;
+            const auto load = [at](const Values& values) {
+                return fabric::RealTraits<Real>::load(values.data() + at);
+            };
+            const Real h_f = c.thickness * load(drawn.height), h_w = 0.5 * c.thickness - h_f,
+                       half_span = 0.5 * c.span;
             const Real a_f = half_span * load(drawn.stretch_f), a_w = half_span * load(drawn.stretch_w),
                        slope = step.modulus * c.inverse_length;
-            const fabric::EndBalance<Real> balance{{.a_f = a_f,
-                                                    .a_w = a_w,
-                                                    .h_f = h_f,
-                                                    .h_w = h_w,
-                                                    .law_f = {load(drawn.stress_f), slope, fabric::bar_length(a_f, h_f)},
-                                                    .law_w = {load(drawn.stress_w), slope, fabric::bar_length(a_w, h_w)}}};
+            const fabric::EndBalance<Real> balance{
+                {.a_f = a_f,
+                 .a_w = a_w,
+                 .h_f = h_f,
+                 .h_w = h_w,
+                 .law_f = {load(drawn.stress_f), slope, fabric::bar_length(a_f, h_f)},
+                 .law_w = {load(drawn.stress_w), slope, fabric::bar_length(a_w, h_w)}}};
             const Real rise = fabric::balance_crossover(balance, Real(-h_f), h_w, 0.5 * c.thickness);
             fabric::RealTraits<Real>::store(rise, rises.data() + at);
         }
@@ -66,7 +76,8 @@ BENCHMARK_TEMPLATE(crimp, Pack)->Name("crimp/pack");
 /// Stretches and angles that go to and fro; nothing breaks.
 struct Paths {
     std::mt19937_64 random{4};
-    Values stretch_f = draw(random, 1, 1.01), stretch_w = draw(random, 1, 1.005), cos_2theta = draw(random, -0.6, 0.6);
+    Values stretch_f = draw(random, 1, 1.01), stretch_w = draw(random, 1, 1.005),
+           cos_2theta = draw(random, -0.6, 0.6);
 };
 
 template <class Real>
@@ -82,10 +93,13 @@ void cell(::benchmark::State& state) {
     for (auto _ : state) {
         there = -there;
         for (std::size_t at = 0; at < batch; at += fabric::width<Real>) {
-            const auto load = [at](const Values& values) { return fabric::RealTraits<Real>::load(values.data() + at); };
+            const auto load = [at](const Values& values) {
+                return fabric::RealTraits<Real>::load(values.data() + at);
+            };
             auto point = fabric::load_state<full, Real>(states.data() + at * fields);
-            const auto response = fabric::advance<full, Real>(c, step, point, load(paths.stretch_f) + there, load(paths.stretch_w) - there,
-                                                              load(paths.cos_2theta) + there);
+            const auto response =
+                fabric::advance<full, Real>(c, step, point, load(paths.stretch_f) + there,
+                                            load(paths.stretch_w) - there, load(paths.cos_2theta) + there);
             fabric::store_state<full, Real>(point, states.data() + at * fields);
             fabric::RealTraits<Real>::store(response.T_xx, resultants.data() + at);
         }

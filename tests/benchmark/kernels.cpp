@@ -1,4 +1,5 @@
-/// Speed of the kernels, each alone. Every benchmark reports its items per second: points, elements, nodes or instructions.
+/// Speed of the kernels, each alone. Every benchmark reports its items per second: points, elements, nodes or
+/// instructions.
 
 #include <benchmark/benchmark.h>
 

@@ -7,7 +7,8 @@
 
 namespace weavefront::benchmark {
 
-/// Points or elements that a benchmark goes through before it begins again: their state stays in the first two levels of cache.
+/// Points or elements that a benchmark goes through before it begins again: their state stays in the first
+/// two levels of cache.
 inline constexpr std::size_t batch = 512;
 
 [[nodiscard]] inline double uniform(std::mt19937_64& random, double a, double b) {

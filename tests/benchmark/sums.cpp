@@ -9,7 +9,8 @@
 namespace weavefront::benchmark {
 namespace {
 
-constexpr int edge = 22;  // elements along the edge of a square: about as many as the product computes between two sums
+constexpr int edge =
+    22;  // elements along the edge of a square: about as many as the product computes between two sums
 
 /// The square between two states that it goes to and fro.
 struct Square {
@@ -17,10 +18,12 @@ struct Square {
     test::Mesh mesh = test::grid(edge, 0.1, random);
     test::Elements elements{test::kevlar129(), mesh, 0};
     test::Wander wander{mesh, random, 0.01, 0.05, 0.01};
-    shell::AlignedVector<double> forces =
-        shell::AlignedVector<double>(static_cast<std::size_t>(elements.group->packs()) * shell::forces_per_pack);
+    shell::AlignedVector<double> forces = shell::AlignedVector<double>(
+        static_cast<std::size_t>(elements.group->packs()) * shell::forces_per_pack);
 
-    void advance(const test::Positions& x) { elements.group->advance(0, elements.group->packs(), x, forces, elements.events); }
+    void advance(const test::Positions& x) {
+        elements.group->advance(0, elements.group->packs(), x, forces, elements.events);
+    }
 };
 
 void internal_force(::benchmark::State& state) {

@@ -14,7 +14,8 @@ namespace {
 constexpr std::int32_t packs_at_once = 64;
 constexpr double worth_raising = 1.05;
 
-solver::Model at_rest(const scene::Scene& scene, const mesh::Panel& panel, const parallel::Communicator& comm) {
+solver::Model at_rest(const scene::Scene& scene, const mesh::Panel& panel,
+                      const parallel::Communicator& comm) {
     return solver::build_model(scene, panel, solver::initial_decomposition(scene, panel, 0, comm), comm);
 }
 
@@ -33,7 +34,8 @@ TextbookStep::TextbookStep(const scene::Scene& scene, const parallel::Communicat
 void TextbookStep::advance() {
     model_.assembly.start(model_.nodes.force);
     advance_elements();
-    const bool stiffened = std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
+    const bool stiffened =
+        std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
     if (stiffened || steps_ >= next_check_) adapt_time_step();
     move_nodes();
     ++steps_;

@@ -10,9 +10,10 @@
 
 namespace weavefront::benchmark {
 
-/// Central differences of elements, fixed-point assembly and nodes, with the adaptive time step: no word of projectile, contact, frame,
-/// supports, damping, ledger, erosion or ghosts. What solver::Simulation pays for the features that a scene leaves out is what it takes
-/// more than this. The physics of the yarns is chosen by template in either, so it is not repeated here.
+/// Central differences of elements, fixed-point assembly and nodes, with the adaptive time step: no word of
+/// projectile, contact, frame, supports, damping, ledger, erosion or ghosts. What solver::Simulation pays for
+/// the features that a scene leaves out is what it takes more than this. The physics of the yarns is chosen
+/// by template in either, so it is not repeated here.
 class TextbookStep {
   public:
     /// @param scene without projectile and contact, its edges free, undamped; nothing in it breaks

@@ -14,11 +14,15 @@ constexpr int points = 3;  // along an edge
 
 Corners facet_at(std::mt19937_64& random, const Vec3& place) {
     Corners corners{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0)};
-    for (auto& corner : corners) corner += place + Vec3(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4));
+    for (auto& corner : corners)
+        corner +=
+            place + Vec3(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4));
     return corners;
 }
 
-Vec3 at(const Corners& c, double u, double w) { return (1 - u) * (1 - w) * c[0] + u * (1 - w) * c[1] + u * w * c[2] + (1 - u) * w * c[3]; }
+Vec3 at(const Corners& c, double u, double w) {
+    return (1 - u) * (1 - w) * c[0] + u * (1 - w) * c[1] + u * w * c[2] + (1 - u) * w * c[3];
+}
 
 /// Least distance of the points of one facet from 33 x 33 points of the other.
 double sampled_distance(const Corners& one, const Corners& other) {
@@ -27,7 +31,9 @@ double sampled_distance(const Corners& one, const Corners& other) {
     for (int p = 0; p < points * points; ++p)
         for (int q = 0; q < (n + 1) * (n + 1); ++q) {
             const Vec3 from = at(one, (p % points + 0.5) / points, (p / points + 0.5) / points);
-            least = std::min(least, (from - at(other, static_cast<double>(q % (n + 1)) / n, static_cast<double>(q / (n + 1)) / n)).norm());
+            least = std::min(least, (from - at(other, static_cast<double>(q % (n + 1)) / n,
+                                               static_cast<double>(q / (n + 1)) / n))
+                                        .norm());
         }
     return least;
 }
@@ -36,7 +42,8 @@ double distance(const Corners& one, const Corners& other) {
     contact::Quadrature quadrature(2.0 / points);
     const Corners square{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(0, 2, 0)};
     const auto rule = quadrature.rule_for(square);
-    return contact::ContactPoints(quadrature.rule(rule), one, quadrature.spanned(rule, one)).min_distance(other);
+    return contact::ContactPoints(quadrature.rule(rule), one, quadrature.spanned(rule, one))
+        .min_distance(other);
 }
 
 TEST(ContactPoints, GiveABoundFromBelow) {
@@ -44,7 +51,8 @@ TEST(ContactPoints, GiveABoundFromBelow) {
     int found = 0;
     for (int n = 0; n < 3000; ++n) {
         const auto one = facet_at(random, Vec3::Zero());
-        const auto other = facet_at(random, {uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 1)});
+        const auto other =
+            facet_at(random, {uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 1)});
         const double bound = distance(one, other);
         ASSERT_LE(bound, sampled_distance(one, other) * (1 + 1e-12)) << n;
         if (bound > 0) ++found;
@@ -82,7 +90,9 @@ TEST(ContactPoints, KnowHowFarAFacetIsThatIsWarpedAlike) {
 
 TEST(ContactPoints, KnowNothingOfAFacetWithoutANormal) {
     std::mt19937_64 random(4);
-    EXPECT_EQ(distance(facet_at(random, Vec3::Zero()), {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0)}), 0);
+    EXPECT_EQ(distance(facet_at(random, Vec3::Zero()),
+                       {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0)}),
+              0);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ std::vector<std::int32_t> all_of(const contact::FacetRanges& runs) {
 TEST(FacetLists, GiveBackWhatWasAddedInItsOrder) {
     std::vector<std::int32_t> many(1000);
     std::iota(many.begin(), many.end(), 7);
-    // The second list goes on where the first ends; the last are longer than a run can be, out of order, and twice the same.
+    // The second list goes on where the first ends; the last are longer than a run can be, out of order, and
+    // twice the same.
     const std::vector<std::vector<std::int32_t>> lists{{3, 4, 5, 9, 10}, {11, 12}, {}, many, {5, 4, 3, 3}};
     contact::FacetLists kept;
     for (const auto& list : lists) {

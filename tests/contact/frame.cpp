@@ -26,7 +26,8 @@ TEST(FrameShape, OpeningAndTheSideOfTheShotAreOutside) {
 
 TEST(FrameShape, PushesBackTheShortWayOut) {
     const contact::FrameShape shape(bars_across_y, top, 0);
-    const auto resting = shape.depth({3e-3, -15e-3, top + 0.2e-3}), beside = shape.depth({3e-3, -half - 0.2e-3, top + 5e-3});
+    const auto resting = shape.depth({3e-3, -15e-3, top + 0.2e-3}),
+               beside = shape.depth({3e-3, -half - 0.2e-3, top + 5e-3});
     ASSERT_TRUE(resting && beside);
     EXPECT_NEAR(resting->depth, 0.2e-3, 1e-15);
     EXPECT_EQ(resting->normal, Vec3(0, 0, -1));
@@ -47,7 +48,8 @@ TEST(FrameShape, DepthIsContinuousAndItsGradientIsTheNormal) {
     int inside = 0;
     for (int i = 0; i < 10000; ++i) {
         // not deeper than the arc's centre, beyond which the two ways out meet
-        const Vec3 point(0, uniform(random, half - 0.2e-3, half + 3e-3), uniform(random, top - 0.2e-3, top + 0.9e-3));
+        const Vec3 point(0, uniform(random, half - 0.2e-3, half + 3e-3),
+                         uniform(random, top - 0.2e-3, top + 0.9e-3));
         const auto found = shape.depth(point);
         if (!found || found->depth < 2 * step) continue;
         ++inside;
@@ -66,7 +68,8 @@ TEST(FrameContact, HoldsTheRestingPlyByStiffnessDepthAndAreaAndLetsItLiftOff) {
     Plies plies;
     plies.add(12, {.z = 0, .thickness = thickness, .areal_density = 0.2}, flat(side, 0));
     const scene::Frame frame{.half_opening = {std::nullopt, opening / 2}, .edge_radius = 0};
-    contact::FrameContact contact(frame, {.stiffness = k, .unloading = 1, .damping = 0}, 0.1e-3, plies.surface, plies.x);
+    contact::FrameContact contact(frame, {.stiffness = k, .unloading = 1, .damping = 0}, 0.1e-3,
+                                  plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3(0, 0, speed));
     contact::ContactForces forces;
     contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, dt, 1, forces);

@@ -29,7 +29,9 @@ double error(int n) {
         for (int i = n / 4; i <= 3 * n / 4; ++i) {
             const int node = j * (n + 1) + i;
             const Vec3 normal = normals.at(node, plies.surface, plies.x).normalized();
-            largest = std::max(largest, (normal + plies.x[static_cast<std::size_t>(node)]).norm());  // the cap is seen from inside
+            largest = std::max(
+                largest,
+                (normal + plies.x[static_cast<std::size_t>(node)]).norm());  // the cap is seen from inside
         }
     return largest;
 }
@@ -48,7 +50,8 @@ TEST(NodalNormals, HaveTheSizeOfTheAreaAndLeaveOutTheEroded) {
     EXPECT_LT((normals.at(0, plies.surface, plies.x) - Vec3(0, 0, 1)).norm(), 1e-14);
     plies.surface.alive[0] = 0;
     plies.x[10].z() += 1;
-    EXPECT_LT((normals.at(5, plies.surface, plies.x) - Vec3(0, 0, 4)).norm(), 1e-14) << "until told of new positions";
+    EXPECT_LT((normals.at(5, plies.surface, plies.x) - Vec3(0, 0, 4)).norm(), 1e-14)
+        << "until told of new positions";
     normals.new_positions();
     EXPECT_NE(normals.at(5, plies.surface, plies.x).x(), 0);
     EXPECT_EQ(normals.at(0, plies.surface, plies.x), Vec3::Zero());
@@ -57,7 +60,9 @@ TEST(NodalNormals, HaveTheSizeOfTheAreaAndLeaveOutTheEroded) {
 TEST(NodalNormals, HaveTheSameBitsWhateverTheOrderOfTheFacets) {
     std::mt19937_64 random(8);
     Plies plies;
-    plies.add(10, {}, [&](double u, double v) { return Vec3(u + uniform(random, -0.03, 0.03), v, uniform(random, -0.03, 0.03)); });
+    plies.add(10, {}, [&](double u, double v) {
+        return Vec3(u + uniform(random, -0.03, 0.03), v, uniform(random, -0.03, 0.03));
+    });
     NodalNormals normals, shuffled;
     normals.rebuild(plies.surface, plies.x.size());
     auto surface = plies.surface;

@@ -26,8 +26,10 @@ double advance(const PenaltyLaw& law, Penetration& point, double geometric, doub
     return law.advance(point, geometric, straight(closing), dt, 1, {}).pressure;
 }
 
-/// Moves a point from its penetration to `to` in `steps` equal steps of 1 s; returns the last pressure and adds to the work done on it.
-double move(const PenaltyLaw& law, Penetration& point, double& at, double to, int steps, double* work = nullptr, double* last = nullptr) {
+/// Moves a point from its penetration to `to` in `steps` equal steps of 1 s; returns the last pressure and
+/// adds to the work done on it.
+double move(const PenaltyLaw& law, Penetration& point, double& at, double to, int steps,
+            double* work = nullptr, double* last = nullptr) {
     double pressure = last ? *last : 0;
     const double step = (to - at) / steps;
     for (int i = 1; i <= steps; ++i) {
@@ -83,11 +85,13 @@ TEST(PenaltyLaw, IgnoresAnOverlapThatMotionDidNotBringAbout) {
     const auto law = plain();
     Penetration point;
     double g = G;
-    EXPECT_EQ(advance(law, point, G, 0, 1), 0);                               // found late
-    EXPECT_NEAR(move(law, point, g, 1.25 * G, 5), k * G / 4, 1e-9 * k * G);   // but it resists going on
-    EXPECT_EQ(move(law, point, g, 0.75 * G, 5), 0);                           // nothing is pushed out
-    EXPECT_NEAR(move(law, point, g, 0.85 * G, 5), k * G / 10, 1e-9 * k * G);  // it is ignored no farther than the sides stay in
-    EXPECT_NEAR(advance(law, point, 2 * G, G / 100, 1), k * (G / 10 + G / 100), 1e-9 * k * G);  // a facet has changed
+    EXPECT_EQ(advance(law, point, G, 0, 1), 0);                              // found late
+    EXPECT_NEAR(move(law, point, g, 1.25 * G, 5), k * G / 4, 1e-9 * k * G);  // but it resists going on
+    EXPECT_EQ(move(law, point, g, 0.75 * G, 5), 0);                          // nothing is pushed out
+    EXPECT_NEAR(move(law, point, g, 0.85 * G, 5), k * G / 10,
+                1e-9 * k * G);  // it is ignored no farther than the sides stay in
+    EXPECT_NEAR(advance(law, point, 2 * G, G / 100, 1), k * (G / 10 + G / 100),
+                1e-9 * k * G);  // a facet has changed
     EXPECT_EQ(advance(law, point, 0.85 * G, -2 * G, 1), 0);
 }
 
@@ -122,7 +126,8 @@ TEST(PenaltyLaw, TakesBySlidingOnlyTheShareThatItMay) {
     const auto law = plain();
     for (const double share : {0.0, 0.25, 1.0}) {
         Penetration point;
-        const auto response = law.advance(point, G, sliding(G), 1, 0.5, {.dissipated_budget = 0, .sliding_share = share});
+        const auto response =
+            law.advance(point, G, sliding(G), 1, 0.5, {.dissipated_budget = 0, .sliding_share = share});
         EXPECT_NEAR(response.pressure, share * k * G, 1e-9 * k * G);
         EXPECT_NEAR(response.sliding.wanted, 0.5 * k * G * G / (2 * u), 1e-9 * k * G * G);
         EXPECT_NEAR(response.sliding.taken, 0.5 * share * share * k * G * G / (2 * u), 1e-9 * k * G * G);
@@ -163,7 +168,8 @@ struct Overlap {
     double run(const PenaltyLaw& law, double time, double dt) {
         double fastest = 0;
         for (double t = 0; t < time; t += dt) {
-            const auto response = law.advance(point, g, straight(closing), dt, 1, {.dissipated_budget = dissipated_budget});
+            const auto response =
+                law.advance(point, g, straight(closing), dt, 1, {.dissipated_budget = dissipated_budget});
             const double pressure = response.pressure;
             dissipated_budget += response.dissipated;
             closing -= pressure / mass * dt;
@@ -181,7 +187,8 @@ TEST(PenaltyLaw, HealsALateOverlapGentlyFromWhatTheFacetHasDissipated) {
     Overlap rich{.mass = mass, .g = G, .dissipated_budget = given_at_once};
     const double fastest = rich.run(law, 1000 * period, 0.05 * period);
     EXPECT_LT(rich.g, 0.05 * G);
-    // Elastic contact would throw the plies apart with omega G/sqrt(u); recovery leaves an order of G in a hundred periods.
+    // Elastic contact would throw the plies apart with omega G/sqrt(u); recovery leaves an order of G in a
+    // hundred periods.
     EXPECT_LT(fastest, 2 * G / (100 * period));
     // What they fly apart with is missing from the dissipated_budget.
     EXPECT_GE(rich.dissipated_budget, 0);
@@ -211,12 +218,14 @@ TEST(PenaltyLaw, TakesMoreThanItGivesWhateverTheGeometryDoes) {
                 if (n % 500 == 0) g += G * one(random);  // an element disappears, a facet changes
                 g += closing * dt;
                 const auto response =
-                    law.advance(point, g, straight(closing), dt, 1, {.dissipated_budget = dissipated_budget, .sliding_share = 0});
+                    law.advance(point, g, straight(closing), dt, 1,
+                                {.dissipated_budget = dissipated_budget, .sliding_share = 0});
                 work += (pressure + response.pressure) / 2 * closing * dt;
                 pressure = response.pressure;
                 dissipated_budget += response.dissipated;
                 recovered += std::max(-response.dissipated, 0.0);
-                const double step = u * k * 0.01 * G * 0.01 * G;  // what a step over the corner of a line may give
+                const double step =
+                    u * k * 0.01 * G * 0.01 * G;  // what a step over the corner of a line may give
                 ASSERT_GE(dissipated_budget, -step);
                 ASSERT_GE(work, -step) << path << ' ' << n;
             }
@@ -241,8 +250,10 @@ double restitution(double unloading, double steps) {
 TEST(PenaltyLaw, AFreeMassBouncesWithTheRootOfTheSlopes) {
     for (const double unloading : {1.0, 4.0, 10.0}) {
         const double closed = 1 / std::sqrt(unloading);
-        const double coarse = std::abs(restitution(unloading, 50) - closed), fine = std::abs(restitution(unloading, 800) - closed);
-        // first order: of one step of unloading, sqrt(u)/steps of a radian, the part in which the line is first or last crossed
+        const double coarse = std::abs(restitution(unloading, 50) - closed),
+                     fine = std::abs(restitution(unloading, 800) - closed);
+        // first order: of one step of unloading, sqrt(u)/steps of a radian, the part in which the line is
+        // first or last crossed
         EXPECT_LT(coarse, std::sqrt(unloading) / 50) << unloading;
         EXPECT_LT(fine, std::sqrt(unloading) / 800) << unloading;
     }
@@ -259,7 +270,9 @@ TEST(PenaltyLaw, DampsAFractionOfCritical) {
 TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
     const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = 0.2}, 0.1);
     std::mt19937_64 random(21);
-    const auto random_number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto random_number = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     contact::PenetrationLanes points;
     std::array<Penetration, contact::batch_width> one_by_one{};
     double dissipated_budget = 0;
@@ -270,7 +283,8 @@ TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
         contact::LaneMask met;
         const contact::Surroundings around{dissipated_budget, random_number(0, 1)};
         for (std::size_t i = 0; i < contact::batch_width; ++i) {
-            geometric[i] = random_number(-G / 4, G), motion.closing[i] = random_number(-50, 50), share[i] = 0.125;
+            geometric[i] = random_number(-G / 4, G), motion.closing[i] = random_number(-50, 50),
+            share[i] = 0.125;
             motion.most[i] = random_number(0, 200);
             met[i] = random_number(0, 1) < 0.8;
         }
@@ -279,7 +293,8 @@ TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
         for (std::size_t i = 0; i < contact::batch_width; ++i) {
             if (met[i]) {
                 const contact::RelativeMotion of_point{motion.closing[i], motion.closing[i], motion.most[i]};
-                const auto response = law.advance(one_by_one[i], geometric[i], of_point, 1e-7, share[i], around);
+                const auto response =
+                    law.advance(one_by_one[i], geometric[i], of_point, 1e-7, share[i], around);
                 ASSERT_EQ(pressure[i], response.pressure);
                 expected.dissipated += response.dissipated;
                 expected.sliding.add(response.sliding);
@@ -315,12 +330,14 @@ TEST(PenaltyLaw, PointsOfAFacetHealAlikeInAnyOrder) {
                 geometric[place] = G * static_cast<double>(1 + i), share[place] = 0.125;
             }
             contact::ContactResponse sum;
-            const auto pressure = law.advance(points, met, geometric, {}, 1e-7, share, {.dissipated_budget = dissipated_budget}, sum);
+            const auto pressure = law.advance(points, met, geometric, {}, 1e-7, share,
+                                              {.dissipated_budget = dissipated_budget}, sum);
             EXPECT_GE(dissipated_budget += sum.dissipated, -1e-12 * k * G * G);
             static_cast<void>(pressure);
         }
         std::array<double, contact::batch_width> present;
-        for (std::size_t i = 0; i < contact::batch_width; ++i) present[i] = points.overlap[i] - points.ignored[i];
+        for (std::size_t i = 0; i < contact::batch_width; ++i)
+            present[i] = points.overlap[i] - points.ignored[i];
         if (backwards) std::ranges::reverse(present);
         return present;
     };

@@ -21,7 +21,8 @@ const scene::ContactLaw elastic{.stiffness = k, .unloading = 1, .damping = 0};
 contact::PlyProperties ply_at(double z) { return {.z = z, .thickness = thickness, .areal_density = 0.2}; }
 
 /// Moves ply 0 by `travel` in equal steps; returns the forces at the end. @param skin of the search, m
-std::vector<contact::PairForce> press(PlyContact& contact, Plies& plies, std::size_t moving, const Vec3& travel, double skin = 1e-3) {
+std::vector<contact::PairForce> press(PlyContact& contact, Plies& plies, std::size_t moving,
+                                      const Vec3& travel, double skin = 1e-3) {
     constexpr int steps = 20;
     const double dt = 1e-7;
     Positions v(plies.x.size(), Vec3::Zero());
@@ -61,7 +62,8 @@ TEST(PlyContact, BumpyPliesKeepMomentumAndAngularMomentum) {
     Plies plies;
     const auto bumpy = [&](double size, double z) {
         return [&random, size, z](double u, double v) {
-            return Vec3(size * (u - 0.5), size * (v - 0.5), z + 0.3e-3 * std::sin(4 * u) * v + uniform(random, -0.02e-3, 0.02e-3));
+            return Vec3(size * (u - 0.5), size * (v - 0.5),
+                        z + 0.3e-3 * std::sin(4 * u) * v + uniform(random, -0.02e-3, 0.02e-3));
         };
     };
     plies.add(8, ply_at(0), bumpy(side, 0));
@@ -71,7 +73,8 @@ TEST(PlyContact, BumpyPliesKeepMomentumAndAngularMomentum) {
     ASSERT_GT(forces.size(), 50U);
     const auto sum = assemble(forces, plies.x);
     EXPECT_LT(sum.net.norm(), 1e-13 * sum.on_slaves.norm());
-    EXPECT_LT(sum.moment.norm(), 1e-9 * sum.on_slaves.norm() * side);  // the lines are found to 1e-10 of a facet
+    EXPECT_LT(sum.moment.norm(),
+              1e-9 * sum.on_slaves.norm() * side);  // the lines are found to 1e-10 of a facet
     for (const auto& pair : forces) {
         Vec3 slave = Vec3::Zero(), master = Vec3::Zero();
         for (std::size_t a = 0; a < 4; ++a) slave += pair.on_slave[a], master += pair.on_master[a];
@@ -93,8 +96,8 @@ TEST(PlyContact, ThroughAHoleThePlyBehindIsMet) {
     EXPECT_NEAR(assemble(forces, plies.x).on_slaves.z() / -(k * overlap * side * side), 1, 1e-9);
 }
 
-// The ply between has flown ahead; it lets see what is behind near the rim of its hole only, not wherever a search with a wide reach has
-// found a rim.
+// The ply between has flown ahead; it lets see what is behind near the rim of its hole only, not wherever a
+// search with a wide reach has found a rim.
 TEST(PlyContact, APlyHidesThoseBehindItButAtItsRims) {
     Plies plies;
     plies.add(8, ply_at(0), flat(side, 0));
@@ -108,27 +111,34 @@ TEST(PlyContact, APlyHidesThoseBehindItButAtItsRims) {
     for (std::size_t f = 0; f < 64; ++f) EXPECT_EQ(response[f], f % 8 <= 2 && f / 8 <= 2) << f;
 }
 
-/// Two plies that shear, turn and approach each other while their nodes chatter: some of it in a pass, by chance.
+/// Two plies that shear, turn and approach each other while their nodes chatter: some of it in a pass, by
+/// chance.
 struct Motion {
-    Motion(std::mt19937_64& chance, const Positions& start, std::size_t of_first) : random(chance), X(start), first(of_first) {
+    Motion(std::mt19937_64& chance, const Positions& start, std::size_t of_first)
+        : random(chance), X(start), first(of_first) {
         const auto some = [&](double most) { return random() % 2 == 0 ? 0 : uniform(random, -most, most); };
         spin = {some(2e3), some(2e3), some(3e3)};
-        approach = uniform(random, 20, 60), bulge = some(60), common = some(200), shear = some(3e3), turn = some(1e3),
-        chatter = some(20e-6);
+        approach = uniform(random, 20, 60), bulge = some(60), common = some(200), shear = some(3e3),
+        turn = some(1e3), chatter = some(20e-6);
     }
 
     /// Positions at a time, s.
     Positions at(double t) {
-        const Eigen::AngleAxisd turned(t * spin.norm(), spin.norm() > 0 ? Vec3(spin.normalized()) : Vec3::UnitZ());
+        const Eigen::AngleAxisd turned(t * spin.norm(),
+                                       spin.norm() > 0 ? Vec3(spin.normalized()) : Vec3::UnitZ());
         Positions x = X;
         for (std::size_t n = 0; n < x.size(); ++n) {
-            const double forth_and_back = 20e-6 - std::abs(approach * t - 80e-6) + 60e-6;  // it presses and lets go
+            const double forth_and_back =
+                20e-6 - std::abs(approach * t - 80e-6) + 60e-6;  // it presses and lets go
             if (n < first) {
                 const double hump = std::exp(-X[n].squaredNorm() / 4e-6);
-                x[n] += Vec3(shear * t * X[n].y(), 0, forth_and_back + bulge * t * hump + turn * t * X[n].x());
+                x[n] +=
+                    Vec3(shear * t * X[n].y(), 0, forth_and_back + bulge * t * hump + turn * t * X[n].x());
             }
             x[n] = turned * x[n] + Vec3(0, 0, common * t);
-            if (chatter != 0 && t > 0) x[n] += chatter * Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
+            if (chatter != 0 && t > 0)
+                x[n] +=
+                    chatter * Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
         }
         return x;
     }
@@ -142,17 +152,20 @@ struct Motion {
 
 bool same_bits(const std::vector<contact::PairForce>& one, const std::vector<contact::PairForce>& other) {
     return std::ranges::equal(one, other, [](const auto& a, const auto& b) {
-        return a.slave == b.slave && a.master == b.master && a.on_slave == b.on_slave && a.on_master == b.on_master && a.total == b.total;
+        return a.slave == b.slave && a.master == b.master && a.on_slave == b.on_slave &&
+               a.on_master == b.on_master && a.total == b.total;
     });
 }
 
 /// By facet, so that they compare whatever the order.
 void sort(std::vector<contact::PairForce>& forces) {
-    std::ranges::stable_sort(forces,
-                             [](const auto& a, const auto& b) { return std::tie(a.slave, a.master) < std::tie(b.slave, b.master); });
+    std::ranges::stable_sort(forces, [](const auto& a, const auto& b) {
+        return std::tie(a.slave, a.master) < std::tie(b.slave, b.master);
+    });
 }
 
-// Facets wait until others may have come near. A contact made anew in every step, with the memory of the last, has waited for nothing.
+// Facets wait until others may have come near. A contact made anew in every step, with the memory of the
+// last, has waited for nothing.
 TEST(PlyContact, WaitingChangesNoBit) {
     constexpr double dt = 1e-7, skin = 1.5e-3;
     const scene::ContactLaw law{.stiffness = k, .unloading = 10, .damping = 0.2};
@@ -160,7 +173,8 @@ TEST(PlyContact, WaitingChangesNoBit) {
     for (int pass = 0; pass < 24; ++pass) {
         Plies plies;
         plies.add(12, ply_at(0), flat(side, 0));
-        plies.add(10, ply_at(gap), [&](double u, double v) { return flat(side, gap + uniform(random, 0, 0.02e-3))(u, v); });
+        plies.add(10, ply_at(gap),
+                  [&](double u, double v) { return flat(side, gap + uniform(random, 0, 0.02e-3))(u, v); });
         Motion motion(random, plies.x, 13 * 13);
         PlyContact waiting(law, 0.25e-3, plies.surface, plies.x);
         auto anew = waiting;

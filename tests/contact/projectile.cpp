@@ -18,12 +18,14 @@ constexpr double diameter = 5e-3, edge = 0.4e-3, length = 8e-3, offset = 0.1e-3;
 constexpr double R = diameter / 2 + offset, arc = edge + offset;  // of the inflated shape
 
 ProjectileShape cylinder() {
-    return {{.shape = scene::Shape::cylinder, .diameter = diameter, .edge_radius = edge, .length = length}, offset};
+    return {{.shape = scene::Shape::cylinder, .diameter = diameter, .edge_radius = edge, .length = length},
+            offset};
 }
 
 /// Signed distance to the inflated cylinder with round rims, positive inside.
 double distance(const Vec3& point) {
-    const double out = std::hypot(point.x(), point.y()) - (R - arc), up = std::abs(point.z() + length / 2) - (length / 2 + offset - arc);
+    const double out = std::hypot(point.x(), point.y()) - (R - arc),
+                 up = std::abs(point.z() + length / 2) - (length / 2 + offset - arc);
     return arc - std::hypot(std::max(out, 0.0), std::max(up, 0.0)) - std::min(std::max(out, up), 0.0);
 }
 
@@ -32,7 +34,8 @@ TEST(ProjectileShape, ASphereIsItsDistance) {
     const Vec3 centre(0, 0, -diameter / 2);
     std::mt19937_64 random(1);
     for (int n = 0; n < 10000; ++n) {
-        const Vec3 away(uniform(random, -1.2, 1.2) * R, uniform(random, -1.2, 1.2) * R, uniform(random, -1.2, 1.2) * R);
+        const Vec3 away(uniform(random, -1.2, 1.2) * R, uniform(random, -1.2, 1.2) * R,
+                        uniform(random, -1.2, 1.2) * R);
         Side side = Side::none;
         const auto found = shape.depth(centre + away, side);
         ASSERT_EQ(found.has_value(), away.norm() < R);
@@ -49,7 +52,8 @@ TEST(ProjectileShape, InsideIsInsideTheInflatedCylinder) {
     EXPECT_DOUBLE_EQ(shape.rear(), -length - offset);
     std::mt19937_64 random(2);
     for (int n = 0; n < 100000; ++n) {
-        const Vec3 point(uniform(random, -1.1, 1.1) * R, uniform(random, -1.1, 1.1) * R, uniform(random, -1.1, 0.1) * length);
+        const Vec3 point(uniform(random, -1.1, 1.1) * R, uniform(random, -1.1, 1.1) * R,
+                         uniform(random, -1.1, 0.1) * length);
         Side side = Side::none;
         const auto found = shape.depth(point, side);
         const double exact = distance(point);
@@ -105,7 +109,8 @@ TEST(ProjectileShape, TheDepthGrowsFromZeroAlongTheNormal) {
 }
 
 TEST(ProjectileShape, APressOnTheFaceFadesAcrossTheRim) {
-    // depth times normal of points that came in at the front, out to the radius: steps get small with those of the radius
+    // depth times normal of points that came in at the front, out to the radius: steps get small with those
+    // of the radius
     const auto shape = cylinder();
     for (const double z : {-0.05e-3, -0.3e-3, -1e-3}) {
         const auto largest_jump = [&](int steps) {

@@ -14,10 +14,13 @@ namespace {
 constexpr double k = 5e12, side = 8e-3, speed = 100, dt = 1e-8;
 const scene::ContactLaw elastic{.stiffness = k, .unloading = 1, .damping = 0};
 
-contact::Footprint nose(const contact::ProjectileState& state) { return contact::SweptBounds({&state.position, 1}).of_node(0); }
+contact::Footprint nose(const contact::ProjectileState& state) {
+    return contact::SweptBounds({&state.position, 1}).of_node(0);
+}
 
 /// Presses a projectile `depth` into a flat fixed ply at z = 0; returns the forces.
-contact::PairForce total(const scene::Projectile& projectile, double spacing, double depth, double thickness) {
+contact::PairForce total(const scene::Projectile& projectile, double spacing, double depth,
+                         double thickness) {
     Plies plies;
     plies.add(8, {.z = 0, .thickness = thickness, .areal_density = 0.2}, flat(side, 0));
     contact::ProjectileContact contact(projectile, elastic, spacing, plies.surface, plies.x);
@@ -52,14 +55,16 @@ TEST(ProjectileContact, AFlatFacePushesByStiffnessDepthAndArea) {
     for (const double spacing : {0.5e-3, 0.25e-3, 0.125e-3, 0.0625e-3}) {
         const Vec3 force = total(cylinder, spacing, depth, 0).total;
         // points in a circle: the cells across its rim, 2 pi R/spacing of them, err at random
-        EXPECT_NEAR(force.z() / (k * depth * std::numbers::pi * R * R), 1, std::pow(spacing / R, 1.5)) << spacing;
+        EXPECT_NEAR(force.z() / (k * depth * std::numbers::pi * R * R), 1, std::pow(spacing / R, 1.5))
+            << spacing;
         EXPECT_EQ(force.x(), 0);
         EXPECT_EQ(force.y(), 0);
     }
 }
 
 TEST(ProjectileContact, ASpherePushesByTheIntegralOfItsDepth) {
-    // int k (R - r) over the circle of contact, all along the normal of the ply; R inflated by half the thickness
+    // int k (R - r) over the circle of contact, all along the normal of the ply; R inflated by half the
+    // thickness
     const double R = 2.7e-3, depth = 0.3e-3, thickness = 0.2e-3;
     const scene::Projectile sphere{.shape = scene::Shape::sphere, .diameter = 2 * R - thickness};
     const double h = R - depth;
@@ -71,7 +76,8 @@ TEST(ProjectileContact, ASpherePushesByTheIntegralOfItsDepth) {
     EXPECT_LT(fine, 0.02 / 16 + 1e-4);
 }
 
-// Points just within the rim are nearer to the side than to the face once they are in; the side would not press on them.
+// Points just within the rim are nearer to the side than to the face once they are in; the side would not
+// press on them.
 TEST(ProjectileContact, AFastFaceMeetsThePlyUpToItsRim) {
     constexpr double fast = 1000, step = 1e-7, way = fast * step;
     Plies plies;
@@ -100,8 +106,9 @@ TEST(ProjectileContact, AFastFaceMeetsThePlyUpToItsRim) {
 Vec3 push_on_leaning_ply(std::optional<double> spacing, double angle) {
     Plies plies;
     const Vec3 along(std::cos(angle), 0, -std::sin(angle));
-    plies.add(8, {.z = 0, .thickness = 0, .areal_density = 0.2},
-              [&](double u, double v) { return Vec3(2e-3 * (u - 0.5) * along + Vec3(0, 2e-3 * (v - 0.5), 0)); });
+    plies.add(8, {.z = 0, .thickness = 0, .areal_density = 0.2}, [&](double u, double v) {
+        return Vec3(2e-3 * (u - 0.5) * along + Vec3(0, 2e-3 * (v - 0.5), 0));
+    });
     const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5e-3, .length = 10e-3};
     contact::ProjectileContact contact(cylinder, elastic, spacing, plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
@@ -116,12 +123,16 @@ Vec3 push_on_leaning_ply(std::optional<double> spacing, double angle) {
     return assemble(forces.pairs, plies.x).on_slaves.normalized();
 }
 
-// Without friction nothing may pull along the yarns: over the edge of a projectile the tension on both sides would differ.
+// Without friction nothing may pull along the yarns: over the edge of a projectile the tension on both sides
+// would differ.
 TEST(ProjectileContact, DoesNotPullAlongThePly) {
     const double angle = 0.6;
-    EXPECT_LT((push_on_leaning_ply(0.25e-3, angle) - Vec3(std::sin(angle), 0, std::cos(angle))).norm(), 1e-12);
-    EXPECT_LT((push_on_leaning_ply(0.25e-3, -angle) - Vec3(-std::sin(angle), 0, std::cos(angle))).norm(), 1e-12);
-    EXPECT_LT((push_on_leaning_ply({}, angle) - Vec3::UnitZ()).norm(), 1e-12) << "contact at the nodes is that of its time";
+    EXPECT_LT((push_on_leaning_ply(0.25e-3, angle) - Vec3(std::sin(angle), 0, std::cos(angle))).norm(),
+              1e-12);
+    EXPECT_LT((push_on_leaning_ply(0.25e-3, -angle) - Vec3(-std::sin(angle), 0, std::cos(angle))).norm(),
+              1e-12);
+    EXPECT_LT((push_on_leaning_ply({}, angle) - Vec3::UnitZ()).norm(), 1e-12)
+        << "contact at the nodes is that of its time";
     EXPECT_LT((push_on_leaning_ply(0.25e-3, 1.2) - Vec3::UnitZ()).norm(), 1e-12) << "seen nearly edge-on";
 }
 

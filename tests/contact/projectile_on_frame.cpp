@@ -12,11 +12,14 @@ namespace {
 constexpr double half = 10e-3, top = 2e-3, mass = 2e-3, k = 5.6e12;
 const scene::Frame bars_across_x{.half_opening = {half, std::nullopt}, .edge_radius = 1e-3};
 const scene::Projectile sphere{.shape = scene::Shape::sphere, .diameter = 6e-3, .mass = mass};
-const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 6e-3, .edge_radius = 0.5e-3, .length = 10e-3, .mass = mass};
+const scene::Projectile cylinder{
+    .shape = scene::Shape::cylinder, .diameter = 6e-3, .edge_radius = 0.5e-3, .length = 10e-3, .mass = mass};
 
 /// Velocity after a flight of 60 us.
-contact::ProjectileState fly(const scene::Projectile& projectile, const Vec3& from, const Vec3& velocity, double unloading) {
-    contact::ProjectileOnFrame bars(projectile, bars_across_x, {.stiffness = k, .unloading = unloading, .damping = 0}, top);
+contact::ProjectileState fly(const scene::Projectile& projectile, const Vec3& from, const Vec3& velocity,
+                             double unloading) {
+    contact::ProjectileOnFrame bars(projectile, bars_across_x,
+                                    {.stiffness = k, .unloading = unloading, .damping = 0}, top);
     contact::ProjectileState state{from, velocity};
     constexpr double dt = 1e-8;
     for (int step = 0; step < 6000; ++step) {

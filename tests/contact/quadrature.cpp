@@ -40,13 +40,15 @@ TEST(Quadrature, IntegratesBilinearFunctionsExactly) {
             const auto sums = sums_of(contact::quadrature(n, m));
             EXPECT_EQ(sums.points, static_cast<std::size_t>(n * m));
             EXPECT_NEAR(sums.share, 1, 1e-14);
-            for (const double integral : sums.of_N) EXPECT_NEAR(integral, 0.25, 1e-14);  // they span the bilinear functions
+            for (const double integral : sums.of_N)
+                EXPECT_NEAR(integral, 0.25, 1e-14);  // they span the bilinear functions
         }
 }
 
 TEST(Quadrature, WithoutASpacingIsAtTheCorners) {
     Quadrature quadrature(std::nullopt);
-    const auto& rule = quadrature.rule(quadrature.rule_for({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}));
+    const auto& rule =
+        quadrature.rule(quadrature.rule_for({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}));
     ASSERT_EQ(rule.size(), 1U);
     ASSERT_EQ(rule[0].count, 4U);
     for (std::size_t a = 0; a < 4; ++a)
@@ -62,14 +64,16 @@ TEST(Quadrature, PointsAreNoFartherApartThanAskedForNorMoreThanNeeded) {
     Quadrature quadrature(spacing);
     for (int n = 0; n < 200; ++n) {
         const double a = uniform(random, 0.1, 3) * 1e-3, b = uniform(random, 0.1, 3) * 1e-3;
-        const auto& rule = quadrature.rule(quadrature.rule_for({Vec3(0, 0, 0), Vec3(a, 0, 0), Vec3(a, b, 0), Vec3(0, b, 0)}));
-        EXPECT_EQ(sums_of(rule).points, static_cast<std::size_t>(std::ceil(a / spacing) * std::ceil(b / spacing)));
+        const auto& rule = quadrature.rule(
+            quadrature.rule_for({Vec3(0, 0, 0), Vec3(a, 0, 0), Vec3(a, b, 0), Vec3(0, b, 0)}));
+        EXPECT_EQ(sums_of(rule).points,
+                  static_cast<std::size_t>(std::ceil(a / spacing) * std::ceil(b / spacing)));
     }
     // 1 mm at 0.25 mm is four points wherever the element stands and however its corners are rounded
     for (int n = 0; n < 200; ++n) {
         const double x = uniform(random, -0.1, 0.1), y = uniform(random, -0.1, 0.1), a = 1e-3;
-        const auto& rule =
-            quadrature.rule(quadrature.rule_for({Vec3(x, y, 0), Vec3(x + a, y, 0), Vec3(x + a, y + a, 0), Vec3(x, y + a, 0)}));
+        const auto& rule = quadrature.rule(quadrature.rule_for(
+            {Vec3(x, y, 0), Vec3(x + a, y, 0), Vec3(x + a, y + a, 0), Vec3(x, y + a, 0)}));
         EXPECT_EQ(sums_of(rule).points, 16U);
     }
 }

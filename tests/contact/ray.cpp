@@ -20,8 +20,8 @@ Facet warped_facet(std::mt19937_64& random, double distortion) {
 }
 
 Vec3 at(const Facet& c, double xi, double eta) {
-    return (1 - xi) * (1 - eta) / 4 * c[0] + (1 + xi) * (1 - eta) / 4 * c[1] + (1 + xi) * (1 + eta) / 4 * c[2] +
-           (1 - xi) * (1 + eta) / 4 * c[3];
+    return (1 - xi) * (1 - eta) / 4 * c[0] + (1 + xi) * (1 - eta) / 4 * c[1] +
+           (1 + xi) * (1 + eta) / 4 * c[2] + (1 - xi) * (1 + eta) / 4 * c[3];
 }
 
 void set(contact::VectorLanes& lanes, std::size_t i, const Vec3& value) {
@@ -40,7 +40,8 @@ TEST(Ray, FindsTheKnownPointOfAWarpedFacet) {
         contact::Rays rays;
         contact::Lanes xi, eta, distance;
         for (std::size_t i = 0; i < batch_width; ++i) {
-            xi[i] = uniform(random, -1, 1), eta[i] = uniform(random, -1, 1), distance[i] = uniform(random, -1, 1);
+            xi[i] = uniform(random, -1, 1), eta[i] = uniform(random, -1, 1),
+            distance[i] = uniform(random, -1, 1);
             const Vec3 direction = near_z(random, 0.3);
             set(rays.direction, i, direction);
             set(rays.origin, i, at(facet, xi[i], eta[i]) - distance[i] * direction);
@@ -81,16 +82,21 @@ TEST(Ray, NoLineSlipsBetweenFacets) {
     constexpr int n = 20;
     Plies plies;
     plies.add(n, {}, [&](double u, double v) {
-        return Vec3(u * n + uniform(random, -0.2, 0.2), v * n + uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2));
+        return Vec3(u * n + uniform(random, -0.2, 0.2), v * n + uniform(random, -0.2, 0.2),
+                    uniform(random, -0.2, 0.2));
     });
-    const auto node = [&](int i, int j) -> const Vec3& { return plies.x[static_cast<std::size_t>(j * (n + 1) + i)]; };
+    const auto node = [&](int i, int j) -> const Vec3& {
+        return plies.x[static_cast<std::size_t>(j * (n + 1) + i)];
+    };
     for (int trial = 0; trial < 500; ++trial) {
         // through edges, and through nodes in the last two lanes
         contact::Rays rays;
         for (std::size_t lane = 0; lane < batch_width; ++lane) {
-            const int i = 2 + static_cast<int>(random() % (n - 4)), j = 2 + static_cast<int>(random() % (n - 4));
+            const int i = 2 + static_cast<int>(random() % (n - 4)),
+                      j = 2 + static_cast<int>(random() % (n - 4));
             const double along = lane < 6 ? uniform(random, 0, 1) : 0;
-            const Vec3 target = (1 - along) * node(i, j) + along * (lane % 2 == 0 ? node(i + 1, j) : node(i, j + 1));
+            const Vec3 target =
+                (1 - along) * node(i, j) + along * (lane % 2 == 0 ? node(i + 1, j) : node(i, j + 1));
             const Vec3 direction = near_z(random, 0.1);
             set(rays.direction, lane, direction);
             set(rays.origin, lane, target - uniform(random, -0.3, 0.3) * direction);

@@ -40,7 +40,8 @@ TEST(RelativeMotionBound, BoundsHowMuchDistancesOfNodesChange) {
                 for (const auto a : plies.surface.facets[static_cast<std::size_t>(f)].nodes)
                     for (const auto b : plies.surface.facets[static_cast<std::size_t>(other)].nodes) {
                         const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-                        ASSERT_LE(((plies.x[i] - plies.x[j]) - (before[i] - before[j])).norm(), approach.accumulated(g) * (1 + 1e-12));
+                        ASSERT_LE(((plies.x[i] - plies.x[j]) - (before[i] - before[j])).norm(),
+                                  approach.accumulated(g) * (1 + 1e-12));
                     }
 }
 

@@ -37,26 +37,32 @@ struct Rebound {
 
 /// Lets a projectile meet an immovable plane at 20 m/s along its normal while it slides along it.
 /// @param tilt of the plane about y, rad
-Rebound meet_plane(const scene::Projectile& projectile, double unloading, double sliding, double tilt, double spacing = 0.25e-3) {
+Rebound meet_plane(const scene::Projectile& projectile, double unloading, double sliding, double tilt,
+                   double spacing = 0.25e-3) {
     const Vec3 along(std::cos(tilt), 0, -std::sin(tilt)), normal(std::sin(tilt), 0, std::cos(tilt));
     constexpr double length = 24e-3, width = 8e-3;
     Plies plies;
-    plies.add(32, {.z = 0, .thickness = 0.14e-3, .areal_density = 0.2},
-              [&](double u, double v) { return Vec3(length * (u - 0.5) * along + width * (v - 0.5) * Vec3::UnitY()); });
+    plies.add(32, {.z = 0, .thickness = 0.14e-3, .areal_density = 0.2}, [&](double u, double v) {
+        return Vec3(length * (u - 0.5) * along + width * (v - 0.5) * Vec3::UnitY());
+    });
     contact::ProjectileContact contact(projectile, law(unloading), spacing, plies.surface, plies.x);
     const Positions at_rest(plies.x.size(), Vec3::Zero());
     const double radius = projectile.diameter / 2, gap = 0.07e-3 + 1e-6;
-    // The point of the projectile that meets the plane first stands over its middle, less half of the way that it slides.
-    const Vec3 first = projectile.shape == scene::Shape::sphere ? Vec3(radius * (normal - Vec3::UnitZ())) : Vec3::Zero();
-    contact::ProjectileState state{Vec3(-gap * normal - first - sliding * 12e-6 * along), Vec3(speed * normal + sliding * along)};
+    // The point of the projectile that meets the plane first stands over its middle, less half of the way
+    // that it slides.
+    const Vec3 first =
+        projectile.shape == scene::Shape::sphere ? Vec3(radius * (normal - Vec3::UnitZ())) : Vec3::Zero();
+    contact::ProjectileState state{Vec3(-gap * normal - first - sliding * 12e-6 * along),
+                                   Vec3(speed * normal + sliding * along)};
     contact::SlidingAccount account;
     contact::ContactForces forces;
     Rebound rebound{};
     for (int step = 0; step < 2500; ++step) {
-        contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), contact::SweptBounds({&state.position, 1}).of_node(0),
-                                  1e-3);
+        contact.update_candidates(plies.surface, contact::SweptBounds(plies.x),
+                                  contact::SweptBounds({&state.position, 1}).of_node(0), 1e-3);
         forces.clear();
-        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, at_rest, state, dt, account.share(), forces);
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, at_rest, state, dt, account.share(),
+                         forces);
         book(account, forces);
         for (const auto& pair : forces.pairs) state.velocity -= dt / mass * pair.total;
         state.position += dt * state.velocity;
@@ -67,7 +73,8 @@ Rebound meet_plane(const scene::Projectile& projectile, double unloading, double
 }
 
 const scene::Projectile sphere{.shape = scene::Shape::sphere, .diameter = 6e-3};
-const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5.38e-3, .edge_radius = 0.3e-3, .length = 10e-3};
+const scene::Projectile cylinder{
+    .shape = scene::Shape::cylinder, .diameter = 5.38e-3, .edge_radius = 0.3e-3, .length = 10e-3};
 
 /// Height of a wave over a length.
 struct Wave {
@@ -75,29 +82,36 @@ struct Wave {
     double operator()(double at) const { return height * std::cos(2 * std::numbers::pi * at / length); }
 };
 
-/// Lets a wavy ply of the given mass per area bounce on another one, immovable, that is wavy across the first; both keep their shapes.
-/// @param sliding of the moving ply along its own waves or across them: then the waves of either side pass over the other, m/s
+/// Lets a wavy ply of the given mass per area bounce on another one, immovable, that is wavy across the
+/// first; both keep their shapes.
+/// @param sliding of the moving ply along its own waves or across them: then the waves of either side pass
+/// over the other, m/s
 Rebound bounce_on_waves(double unloading, const Vec3& sliding, int facets, bool upper_moves) {
     constexpr double side = 10e-3, thickness = 0.2e-3, density = 0.2, approach = 20, step_length = 1e-8;
     const Wave wave{0.05e-3, side / 4};
     Plies plies;
     const contact::PlyProperties of_ply{.z = 0, .thickness = thickness, .areal_density = density};
-    plies.add(facets, of_ply, [&](double u, double v) { return Vec3(side * (u - 0.5), side * (v - 0.5), wave(side * u)); });
+    plies.add(facets, of_ply,
+              [&](double u, double v) { return Vec3(side * (u - 0.5), side * (v - 0.5), wave(side * u)); });
     const auto first = plies.x.size();
     const double gap = thickness + 2 * wave.height + 1e-6, wide = 2 * side;
-    plies.add(2 * facets, {.z = gap, .thickness = thickness, .areal_density = density},
-              [&](double u, double v) { return Vec3(wide * (u - 0.5), wide * (v - 0.5), gap + wave(wide * v)); });
+    plies.add(
+        2 * facets, {.z = gap, .thickness = thickness, .areal_density = density},
+        [&](double u, double v) { return Vec3(wide * (u - 0.5), wide * (v - 0.5), gap + wave(wide * v)); });
     contact::PlyContact contact(law(unloading), 0.0625e-3, plies.surface, plies.x);
     contact::SlidingAccount account;
     contact::ContactForces forces;
-    Vec3 velocity = upper_moves ? Vec3(sliding + approach * Vec3::UnitZ()) : Vec3(-sliding - approach * Vec3::UnitZ());
+    Vec3 velocity =
+        upper_moves ? Vec3(sliding + approach * Vec3::UnitZ()) : Vec3(-sliding - approach * Vec3::UnitZ());
     Positions v(plies.x.size(), Vec3::Zero());
     const std::size_t begin = upper_moves ? 0 : first, end = upper_moves ? first : plies.x.size();
     double depth = 0, way = 0;
     for (int step = 0; step < 1500; ++step) {
-        if (step % 20 == 0) contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), plies.x, 1.5e-3);
+        if (step % 20 == 0)
+            contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), plies.x, 1.5e-3);
         forces.clear();
-        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, step > 0 ? step_length : 0, account.share(), forces);
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, step > 0 ? step_length : 0,
+                         account.share(), forces);
         book(account, forces);
         Vec3 force = Vec3::Zero();
         for (const auto& pair : forces.pairs) force += pair.total;
@@ -119,7 +133,8 @@ TEST(Sliding, ChangesNoElasticReboundFromAPlane) {
             EXPECT_NEAR(rebound.normal / speed, 1, 0.01) << sliding << ' ' << tilt;
             EXPECT_NEAR(rebound.along, sliding, 1e-9 * sliding) << sliding << ' ' << tilt;
         }
-    for (const double sliding : sliding_speeds) EXPECT_NEAR(meet_plane(cylinder, 1, sliding, 0).normal / speed, 1, 0.01) << sliding;
+    for (const double sliding : sliding_speeds)
+        EXPECT_NEAR(meet_plane(cylinder, 1, sliding, 0).normal / speed, 1, 0.01) << sliding;
 }
 
 TEST(Sliding, ChangesNoHystereticReboundFromAPlane) {
@@ -132,7 +147,8 @@ TEST(Sliding, ChangesNoHystereticReboundFromAPlane) {
     EXPECT_NEAR(meet_plane(sphere, 10, 400, 0.5).normal * std::sqrt(10) / speed, 1, 0.02);
 }
 
-/// Presses a sphere that moves at a slant into a ply that is wrapped around it, or lies flat before it; returns the direction of the force.
+/// Presses a sphere that moves at a slant into a ply that is wrapped around it, or lies flat before it;
+/// returns the direction of the force.
 Vec3 push_of_sphere(bool wrapped) {
     const double R = sphere.diameter / 2 + 0.07e-3;
     Plies plies;
@@ -143,12 +159,14 @@ Vec3 push_of_sphere(bool wrapped) {
     contact::ProjectileContact contact(sphere, law(1), 0.25e-3, plies.surface, plies.x);
     const Vec3 velocity(100, 0, 20);
     contact::ProjectileState state{-40 * dt * velocity - Vec3(0, 0, 0.07e-3), velocity};
-    contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), contact::SweptBounds({&state.position, 1}).of_node(0), 1e-3);
+    contact.update_candidates(plies.surface, contact::SweptBounds(plies.x),
+                              contact::SweptBounds({&state.position, 1}).of_node(0), 1e-3);
     contact::ContactForces forces;
     for (int step = 0; step < 60; ++step) {
         state.position += dt * velocity;
         forces.clear();
-        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, Positions(plies.x.size(), Vec3::Zero()), state, dt, 1, forces);
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x,
+                         Positions(plies.x.size(), Vec3::Zero()), state, dt, 1, forces);
     }
     return assemble(forces.pairs, plies.x).on_slaves.normalized();
 }
@@ -160,9 +178,11 @@ TEST(Sliding, IsResistedByAPlyThatIsWrappedAroundTheSphere) {
 }
 
 TEST(Sliding, LeavesTheDepthOfTheSphereWhereItsEnergyPutsIt) {
-    // int k (R - r) over the circle of contact is pi k (R d^2 - 2/3 d^3); its work up to the depth d is m v^2/2
+    // int k (R - r) over the circle of contact is pi k (R d^2 - 2/3 d^3); its work up to the depth d is m
+    // v^2/2
     const double R = sphere.diameter / 2 + 0.07e-3, d = 0.21804e-3;
-    ASSERT_NEAR(std::numbers::pi * k * (R * d * d * d / 3 - d * d * d * d / 6) / (mass * speed * speed / 2), 1, 1e-4);
+    ASSERT_NEAR(std::numbers::pi * k * (R * d * d * d / 3 - d * d * d * d / 6) / (mass * speed * speed / 2),
+                1, 1e-4);
     for (const double sliding : {0.0, 400.0}) {
         const double coarse = std::abs(meet_plane(sphere, 1, sliding, 0, 0.5e-3).depth / d - 1),
                      fine = std::abs(meet_plane(sphere, 1, sliding, 0, 0.125e-3).depth / d - 1);
@@ -184,7 +204,8 @@ TEST(Sliding, OfACurvedPlyOverAnotherGivesNoEnergy) {
     EXPECT_NEAR(straight * std::sqrt(10) / speed, 1, 0.01);
     // Waves of the ply that is passed over.
     EXPECT_NEAR(bounce_on_waves(10, {0, 400, 0}, 20, true).normal / straight, 1, 0.03);
-    // Waves of the ply whose points look for the other: their normals count sliding as approach, so that less is lost.
+    // Waves of the ply whose points look for the other: their normals count sliding as approach, so that less
+    // is lost.
     const auto along = bounce_on_waves(10, {400, 0, 0}, 20, true);
     EXPECT_GT(along.normal, straight);
     EXPECT_LT(along.normal * along.normal + along.along * along.along, speed * speed + 400 * 400);

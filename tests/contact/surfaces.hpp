@@ -50,16 +50,19 @@ struct Plies {
         const auto base = static_cast<std::int32_t>(x.size());
         surface.plies.push_back(properties);
         for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i) x.push_back(shape(static_cast<double>(i) / n, static_cast<double>(j) / n));
+            for (int i = 0; i <= n; ++i)
+                x.push_back(shape(static_cast<double>(i) / n, static_cast<double>(j) / n));
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {
                 const std::int32_t first = base + j * (n + 1) + i;
-                const contact::Facet facet{
-                    static_cast<std::int64_t>(surface.facets.size()), {first, first + 1, first + n + 2, first + n + 1}, ply};
+                const contact::Facet facet{static_cast<std::int64_t>(surface.facets.size()),
+                                           {first, first + 1, first + n + 2, first + n + 1},
+                                           ply};
                 const auto corners = contact::corners_of(facet.nodes, x);
                 surface.facets.push_back(facet);
                 surface.alive.push_back(1);
-                surface.areas.one_ply.push_back((corners[2] - corners[0]).cross(corners[3] - corners[1]).norm() / 2);
+                surface.areas.one_ply.push_back(
+                    (corners[2] - corners[0]).cross(corners[3] - corners[1]).norm() / 2);
             }
         surface.owned = static_cast<std::int32_t>(surface.facets.size());
     }
@@ -83,7 +86,8 @@ struct Assembled {
         sum.on_slaves += pair.total;
         for (std::size_t a = 0; a < 4; ++a) {
             sum.nodal[static_cast<std::size_t>(pair.slave[a])] += pair.on_slave[a];
-            if (pair.kind == contact::Master::facet) sum.nodal[static_cast<std::size_t>(pair.master[a])] += pair.on_master[a];
+            if (pair.kind == contact::Master::facet)
+                sum.nodal[static_cast<std::size_t>(pair.master[a])] += pair.on_master[a];
         }
     }
     for (std::size_t n = 0; n < x.size(); ++n) {

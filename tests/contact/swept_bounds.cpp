@@ -44,7 +44,8 @@ TEST(SweptBounds, ReachAsFarAsANodeFliesAndNoFarther) {
 }
 
 TEST(SweptBounds, OfAFacetHoldAllItsNodes) {
-    const std::vector<Vec3> x{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, v{{0, 0, 0}, {2, 0, 0}, {0, 0, 9}, {0, -3, 0}};
+    const std::vector<Vec3> x{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+        v{{0, 0, 0}, {2, 0, 0}, {0, 0, 9}, {0, -3, 0}};
     const auto footprint = SweptBounds(x, v, 1).of(contact::Facet(0, {0, 1, 2, 3}, 0));
     EXPECT_EQ(footprint.x_low, 0);
     EXPECT_EQ(footprint.x_high, 3);

@@ -18,7 +18,8 @@ TEST(ClosedPath, AnOpenTrellisOfElasticYarnsReturnsEverything) {
     std::mt19937_64 random(11);
     for (int n = 0; n < 20; ++n) {
         const SmoothPath path(random, 0.05, 43 * degree);
-        const ClosedWork coarse = walk<elastic>(elastic_kevlar129(), path, 400), fine = walk<elastic>(elastic_kevlar129(), path, 1600);
+        const ClosedWork coarse = walk<elastic>(elastic_kevlar129(), path, 400),
+                         fine = walk<elastic>(elastic_kevlar129(), path, 1600);
         EXPECT_LT(std::abs(fine.left), 1e-5 * fine.peak) << n;
         // order two: a step of a quarter leaves a sixteenth, or better
         EXPECT_LT(std::abs(fine.left), std::abs(coarse.left) / 12 + 1e-12 * fine.peak) << n;
@@ -26,7 +27,8 @@ TEST(ClosedPath, AnOpenTrellisOfElasticYarnsReturnsEverything) {
 }
 
 TEST(ClosedPath, WhatAnOpenTrellisLeavesIsOfOrderTwo) {
-    // Corners, compression and interchange, so that nothing cancels by smoothness; the largest of 200 paths, at each halving of the step.
+    // Corners, compression and interchange, so that nothing cancels by smoothness; the largest of 200 paths,
+    // at each halving of the step.
     std::array<double, 5> largest{};
     for (std::size_t halving = 0; halving < largest.size(); ++halving) {
         std::mt19937_64 random(12);
@@ -42,9 +44,10 @@ TEST(ClosedPath, WhatAnOpenTrellisLeavesIsOfOrderTwo) {
     EXPECT_LT(largest[0], 1e-3);
 }
 
-/// Walks 10^4 random paths, smooth and polygonal in turn, with the parts of F. The rule is of order two, or one where packing and slip
-/// begin and end: its error with 2n steps is a third of the difference to n steps, or at most the difference. Rounding adds one part in
-/// 10^16 a step. What a path leaves may fall below zero by no more than these.
+/// Walks 10^4 random paths, smooth and polygonal in turn, with the parts of F. The rule is of order two, or
+/// one where packing and slip begin and end: its error with 2n steps is a third of the difference to n steps,
+/// or at most the difference. Rounding adds one part in 10^16 a step. What a path leaves may fall below zero
+/// by no more than these.
 template <fabric::Features F>
 void expect_only_losses(int least_dissipating) {
     std::mt19937_64 random(13);
@@ -71,7 +74,8 @@ TEST(ClosedPath, FrictionOnlyTakesEnergy) {
     expect_only_losses<fabric::Features{.formulation = consistent, .crimp = true, .friction = true}>(9000);
 }
 TEST(ClosedPath, PackingAndFrictionOnlyTakeEnergy) {
-    expect_only_losses<fabric::Features{.formulation = consistent, .crimp = true, .lateral = true, .friction = true}>(9000);
+    expect_only_losses<fabric::Features{
+        .formulation = consistent, .crimp = true, .lateral = true, .friction = true}>(9000);
 }
 
 TEST(ClosedPath, ViscousYarnsOnlyTakeEnergy) {
@@ -85,7 +89,8 @@ TEST(ClosedPath, ViscousYarnsOnlyTakeEnergy) {
     }
 }
 
-// What the print makes: bounds on the numbers of closed_path.md, so that a change of the paper formulation is noticed.
+// What the print makes: bounds on the numbers of closed_path.md, so that a change of the paper formulation is
+// noticed.
 
 /// Work that the print leaves over the largest that the consistent formulation needs on the same path.
 template <bool lateral = false>
@@ -93,7 +98,8 @@ double left_as_printed(const Polygon& path, int cycles = 1) {
     constexpr fabric::Features ours{.formulation = consistent, .crimp = true, .lateral = lateral};
     constexpr fabric::Features printed{.formulation = paper, .crimp = true, .lateral = lateral};
     const int steps = 2000 * path.legs();
-    return walk<printed>(elastic_kevlar129(), path, steps, cycles).left / walk<ours>(elastic_kevlar129(), path, steps).peak;
+    return walk<printed>(elastic_kevlar129(), path, steps, cycles).left /
+           walk<ours>(elastic_kevlar129(), path, steps).peak;
 }
 
 TEST(ClosedPath, AsPrintedTheWayBackDiffers) {

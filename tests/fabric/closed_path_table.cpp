@@ -24,7 +24,8 @@ scene::Fabric of_thickness(double thickness) {
 
 std::string percent(double value) {
     if (std::abs(value) < 5e-8) return "0";
-    return std::abs(value) < 0.1 ? fmt::format("{:+.2g} %", value * 100) : fmt::format("{:+.0f} %", value * 100);
+    return std::abs(value) < 0.1 ? fmt::format("{:+.2g} %", value * 100)
+                                 : fmt::format("{:+.0f} %", value * 100);
 }
 
 template <bool lateral = false, bool friction = false>
@@ -32,7 +33,8 @@ void print_path(const std::string& name, const Polygon& path, int cycles = 1) {
     const auto fabric = elastic_kevlar129();
     const int steps = per_leg * path.legs();
     const double peak = walk<with(consistent, lateral, friction)>(fabric, path, steps).peak;
-    fmt::print("| {} | {} | {} |\n", name, percent(walk<with(consistent, lateral, friction)>(fabric, path, steps, cycles).left / peak),
+    fmt::print("| {} | {} | {} |\n", name,
+               percent(walk<with(consistent, lateral, friction)>(fabric, path, steps, cycles).left / peak),
                percent(walk<with(paper, lateral, friction)>(fabric, path, steps, cycles).left / peak));
 }
 
@@ -60,19 +62,25 @@ Range left_by_random_paths(const scene::Fabric& fabric, double shortest, int pat
 void print_order() {
     double last = 0;
     for (int steps = 50; steps <= 800; steps *= 2) {
-        const double largest = left_by_random_paths<with(consistent), with(consistent)>(elastic_kevlar129(), 0.97, 1000, steps).largest();
-        fmt::print("| {} | {:.2e} | {} |\n", steps, largest, last > 0 ? fmt::format("{:.3f}", std::log2(last / largest)) : "");
+        const double largest =
+            left_by_random_paths<with(consistent), with(consistent)>(elastic_kevlar129(), 0.97, 1000, steps)
+                .largest();
+        fmt::print("| {} | {:.2e} | {} |\n", steps, largest,
+                   last > 0 ? fmt::format("{:.3f}", std::log2(last / largest)) : "");
         last = largest;
     }
 }
 
 template <bool lateral, bool friction>
 void print_random(const std::string& name, double thickness = 0.82e-3, double shortest = 0.97) {
-    constexpr auto consistently = with(consistent, lateral, friction), as_printed = with(paper, lateral, friction);
-    const auto ours = left_by_random_paths<consistently, consistently>(of_thickness(thickness), shortest, 10000, 200);
-    const auto printed = left_by_random_paths<as_printed, consistently>(of_thickness(thickness), shortest, 10000, 200);
-    fmt::print("| {} | {} | {} | {} | {} |\n", name, percent(ours.least), percent(ours.most), percent(printed.least),
-               percent(printed.most));
+    constexpr auto consistently = with(consistent, lateral, friction),
+                   as_printed = with(paper, lateral, friction);
+    const auto ours =
+        left_by_random_paths<consistently, consistently>(of_thickness(thickness), shortest, 10000, 200);
+    const auto printed =
+        left_by_random_paths<as_printed, consistently>(of_thickness(thickness), shortest, 10000, 200);
+    fmt::print("| {} | {} | {} | {} | {} |\n", name, percent(ours.least), percent(ours.most),
+               percent(printed.least), percent(printed.most));
 }
 
 void print_page() {
@@ -101,13 +109,18 @@ Work left over the largest work that the consistent formulation needs in the fir
 |---|---|---|
 )",
                per_leg);
-    print_path("elastic: stretch both 4 %, turn by 20 deg, release, turn back", stretch_shear_release_unshear());
+    print_path("elastic: stretch both 4 %, turn by 20 deg, release, turn back",
+               stretch_shear_release_unshear());
     print_path("elastic: the same backwards", shear_stretch_unshear_release());
-    print_path("elastic: crimp interchange, fill pulled out by 10 %, warp shortened by 5 %, fill back, warp back", crimp_interchange());
+    print_path(
+        "elastic: crimp interchange, fill pulled out by 10 %, warp shortened by 5 %, fill back, warp back",
+        crimp_interchange());
     print_path("elastic: the same backwards", crimp_interchange_backwards());
-    print_path<true>("packing: stretch both 2 %, turn by 40 deg, release, turn back", stretch_lock_release_unlock());
+    print_path<true>("packing: stretch both 2 %, turn by 40 deg, release, turn back",
+                     stretch_lock_release_unlock());
     print_path<true>("packing: the same 10 times", stretch_lock_release_unlock(), 10);
-    print_path<false, true>("friction: stretch both 4 %, turn by 20 deg, release, turn back", stretch_shear_release_unshear());
+    print_path<false, true>("friction: stretch both 4 %, turn by 20 deg, release, turn back",
+                            stretch_shear_release_unshear());
     print_path<false, true>("friction: the same backwards", shear_stretch_unshear_release());
     fmt::print(R"(
 ## 10^4 random paths

@@ -51,7 +51,8 @@ class Polygon {
         corners_.push_back({});
     }
     /// Four random corners with stretches from `shortest` to `longest`, turned by up to `turn` either way.
-    Polygon(std::mt19937_64& random, double shortest, double longest, double turn) : Polygon(four(random, shortest, longest, turn)) {}
+    Polygon(std::mt19937_64& random, double shortest, double longest, double turn)
+        : Polygon(four(random, shortest, longest, turn)) {}
 
     [[nodiscard]] int legs() const { return static_cast<int>(corners_.size()) - 1; }
     /// @param x 0 to 1
@@ -66,7 +67,8 @@ class Polygon {
     }
 
   private:
-    static std::vector<Kinematics> four(std::mt19937_64& random, double shortest, double longest, double turn) {
+    static std::vector<Kinematics> four(std::mt19937_64& random, double shortest, double longest,
+                                        double turn) {
         std::uniform_real_distribution<double> stretch(shortest, longest), angle(-turn, turn);
         std::vector<Kinematics> corners(4);
         for (auto& corner : corners) {
@@ -86,7 +88,8 @@ struct ClosedWork {
     [[nodiscard]] double share() const { return left / peak; }
 };
 
-/// Walks a path `cycles` times with elastic yarns (or viscous ones, at 1 ns a step). @param steps of one cycle
+/// Walks a path `cycles` times with elastic yarns (or viscous ones, at 1 ns a step). @param steps of one
+/// cycle
 template <fabric::Features F, class Path>
 ClosedWork walk(const scene::Fabric& fabric, const Path& path, int steps, int cycles = 1) {
     MaterialPoint<F> point(fabric, 1e-9);
@@ -108,7 +111,9 @@ inline Polygon shear_stretch_unshear_release() {
     return Polygon({{1, 1, 65 * degree}, {1.04, 1.04, 65 * degree}, {1.04, 1.04, 45 * degree}});
 }
 /// Fill is pulled out by 10 %, warp shortens by 5 %, and back in the same order.
-inline Polygon crimp_interchange() { return Polygon({{1.10, 1, 45 * degree}, {1.10, 0.95, 45 * degree}, {1, 0.95, 45 * degree}}); }
+inline Polygon crimp_interchange() {
+    return Polygon({{1.10, 1, 45 * degree}, {1.10, 0.95, 45 * degree}, {1, 0.95, 45 * degree}});
+}
 inline Polygon crimp_interchange_backwards() {
     return Polygon({{1, 0.95, 45 * degree}, {1.10, 0.95, 45 * degree}, {1.10, 1, 45 * degree}});
 }

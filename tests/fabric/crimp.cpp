@@ -30,14 +30,16 @@ TEST(Crimp, EquibiaxialStretchMovesNoCrossover) { expect_equibiaxial<elastic>();
 TEST(Crimp, EquibiaxialStretchMovesNoCrossoverAsPrinted) { expect_equibiaxial<elastic_paper>(); }
 
 TEST(Crimp, UniaxialStretchStraightensTheFillUntilItsSlackIsGone) {
-    // the warp is free: its span follows so that it carries nothing, h_w and lambda_w on the circle of its length
+    // the warp is free: its span follows so that it carries nothing, h_w and lambda_w on the circle of its
+    // length
     MaterialPoint<elastic> point(elastic_kevlar129(), 1e-9);
     const fabric::Constants& c = point.constants;
     const double slack = 2 * c.length / c.span;
     const int steps = 400;
     for (int i = 1; i <= steps; ++i) {
         const double lambda_f = 1 + (slack - 1) * i / steps;
-        const double h_f = std::sqrt(std::max(0.0, c.length * c.length - lambda_f * lambda_f * c.span * c.span / 4));
+        const double h_f =
+            std::sqrt(std::max(0.0, c.length * c.length - lambda_f * lambda_f * c.span * c.span / 4));
         const double h_w = c.thickness / 2 - h_f;
         const double lambda_w = 2 * std::sqrt(c.length * c.length - h_w * h_w) / c.span;
         point.advance({.lambda_f = lambda_f, .lambda_w = lambda_w});
@@ -45,7 +47,8 @@ TEST(Crimp, UniaxialStretchStraightensTheFillUntilItsSlackIsGone) {
             EXPECT_NEAR(point.state.h_f, h_f, 1e-9 * c.thickness);
         }
     }
-    // straight is where height is the square root of slack: rounding of the stretches, 1e-16, leaves 1e-8 of the height
+    // straight is where height is the square root of slack: rounding of the stretches, 1e-16, leaves 1e-8 of
+    // the height
     EXPECT_NEAR(point.state.h_f, 0, 1e-7 * c.thickness);
     const double stiffness = c.static_modulus * c.area / c.span;
     EXPECT_NEAR(point.state.N_f, 0, 1e-9 * stiffness);
@@ -63,14 +66,17 @@ TEST(Crimp, ForcesBalanceAtTheEndOfTheStep) {
         point.advance({.lambda_f = 1 + 4e-4 * i, .lambda_w = 1 + 1e-4 * i});
         const fabric::State<double>& s = point.state;
         const fabric::BarLengths<double> L = fabric::bar_lengths<viscous>(c, s);
-        const double lift_f = s.sigma_f * s.h_f / L.fill, lift_w = s.sigma_w * (c.thickness / 2 - s.h_f) / L.warp;
-        // the last Newton step is below 1e-8 t/2, so the heights are within about 1e-16 t/2; what is left is rounding of the strains
+        const double lift_f = s.sigma_f * s.h_f / L.fill,
+                     lift_w = s.sigma_w * (c.thickness / 2 - s.h_f) / L.warp;
+        // the last Newton step is below 1e-8 t/2, so the heights are within about 1e-16 t/2; what is left is
+        // rounding of the strains
         EXPECT_NEAR(lift_f, lift_w, 1e-14 * c.hooke_modulus) << i;
     }
 }
 
 TEST(Crimp, MidStepBalanceConvergesToTheEndOfStepOne) {
-    // the two formulations differ by the instant at which (29) holds; on a smooth path the difference vanishes with the step
+    // the two formulations differ by the instant at which (29) holds; on a smooth path the difference
+    // vanishes with the step
     const auto height = []<fabric::Features F>(int steps) {
         MaterialPoint<F> point(elastic_kevlar129(), 1e-9);
         for (int i = 1; i <= steps; ++i) {
@@ -80,7 +86,8 @@ TEST(Crimp, MidStepBalanceConvergesToTheEndOfStepOne) {
         return point.state.h_f;
     };
     const double t = elastic_kevlar129().thickness;
-    const double coarse = std::abs(height.operator()<elastic_paper>(100) - height.operator()<elastic>(100)) / t;
+    const double coarse =
+        std::abs(height.operator()<elastic_paper>(100) - height.operator()<elastic>(100)) / t;
     const double fine = std::abs(height.operator()<elastic_paper>(400) - height.operator()<elastic>(400)) / t;
     EXPECT_LT(coarse, 1e-2);
     EXPECT_LT(fine, coarse / 3);

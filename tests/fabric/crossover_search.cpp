@@ -22,7 +22,8 @@ struct Case {
     [[nodiscard]] EndBalance<double> end() const { return {mid.bars}; }
 };
 
-/// States as a run meets them and states as it should never: crimp gone, broken, compressed, nearly flat, torn to twice the size.
+/// States as a run meets them and states as it should never: crimp gone, broken, compressed, nearly flat,
+/// torn to twice the size.
 class Cases {
   public:
     Case draw() {
@@ -36,7 +37,8 @@ class Cases {
         const double heights[] = {0, half, half / 2, half * uniform(0, 1), half * 1e-9, half * (1 - 1e-12)};
         bars.h_f = heights[pick(6)];
         bars.h_w = half - bars.h_f;
-        const double before_f = 0.5 * span * (1 + uniform(-0.1, 0.3)), before_w = 0.5 * span * (1 + uniform(-0.1, 0.3));
+        const double before_f = 0.5 * span * (1 + uniform(-0.1, 0.3)),
+                     before_w = 0.5 * span * (1 + uniform(-0.1, 0.3));
         bars.a_f = before_f * (1 + uniform(-change, change));
         bars.a_w = before_w * (1 + uniform(-change, change));
         result.mid.a_mid_f = 0.5 * (before_f + bars.a_f);
@@ -89,9 +91,11 @@ bool answers(const Balance& balance, double lower, double upper, double half_thi
     const double bound = start > 0 ? lower : upper;
     if (delta == bound) return sign(balance(bound).force) != -start || bound == 0;
     if (delta < std::min(0.0, bound) || delta > std::max(0.0, bound)) return false;
-    // a sign change nearby, as far away as a root of order three may still be when its Newton steps have become 1e-8
+    // a sign change nearby, as far away as a root of order three may still be when its Newton steps have
+    // become 1e-8
     const double reach = 4 * newton_tolerance * half_thickness;
-    const double left = sign(balance(std::max(lower, delta - reach)).force), right = sign(balance(std::min(upper, delta + reach)).force);
+    const double left = sign(balance(std::max(lower, delta - reach)).force),
+                 right = sign(balance(std::min(upper, delta + reach)).force);
     return left * right <= 0;
 }
 
@@ -110,9 +114,11 @@ void check(const Case& state, const Balance& balance, Tally& tally) {
     tally.most = std::max(tally.most, evaluations);
     ASSERT_TRUE(std::isfinite(delta));
     ASSERT_TRUE(answers(balance, lower, upper, state.half_thickness, delta))
-        << delta << " in " << lower << ' ' << upper << " forces " << balance(0.0).force << ' ' << balance(delta).force << " a " << bars.a_f
-        << ' ' << bars.a_w << " offsets " << bars.law_f.offset << ' ' << bars.law_w.offset;
-    // with both yarns in tension all the way the root is unique and well conditioned: the same to a square of the last Newton step
+        << delta << " in " << lower << ' ' << upper << " forces " << balance(0.0).force << ' '
+        << balance(delta).force << " a " << bars.a_f << ' ' << bars.a_w << " offsets " << bars.law_f.offset
+        << ' ' << bars.law_w.offset;
+    // with both yarns in tension all the way the root is unique and well conditioned: the same to a square of
+    // the last Newton step
     const auto shortest = [](const AxialLaw<double>& law, double a) { return law.stress(a); };
     const bool tension = std::min(shortest(bars.law_f, bars.a_f), shortest(bars.law_w, bars.a_w)) > 1e7 &&
                          std::min(state.mid.sigma_f, state.mid.sigma_w) > 1e7;
@@ -151,13 +157,14 @@ EndBalance<Pack> packed(const std::array<EndBalance<double>, 8>& lanes) {
         return pack;
     };
     using B = const Bars<double>&;
-    result.bars = {
-        fill([](B b) { return b.a_f; }),
-        fill([](B b) { return b.a_w; }),
-        fill([](B b) { return b.h_f; }),
-        fill([](B b) { return b.h_w; }),
-        {fill([](B b) { return b.law_f.offset; }), fill([](B b) { return b.law_f.slope; }), fill([](B b) { return b.law_f.reference; })},
-        {fill([](B b) { return b.law_w.offset; }), fill([](B b) { return b.law_w.slope; }), fill([](B b) { return b.law_w.reference; })}};
+    result.bars = {fill([](B b) { return b.a_f; }),
+                   fill([](B b) { return b.a_w; }),
+                   fill([](B b) { return b.h_f; }),
+                   fill([](B b) { return b.h_w; }),
+                   {fill([](B b) { return b.law_f.offset; }), fill([](B b) { return b.law_f.slope; }),
+                    fill([](B b) { return b.law_f.reference; })},
+                   {fill([](B b) { return b.law_w.offset; }), fill([](B b) { return b.law_w.slope; }),
+                    fill([](B b) { return b.law_w.reference; })}};
     return result;
 }
 

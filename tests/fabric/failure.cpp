@@ -29,7 +29,8 @@ Failure break_at(double rate) {
         if (point.state.intact_f != 0.0) continue;
         EXPECT_EQ(point.state.sigma_f, 0.0);
         EXPECT_EQ(point.state.N_f, 0.0);
-        const fabric::FailureIndex<double> index = fabric::failure_index(point.constants, i * increment, before);
+        const fabric::FailureIndex<double> index =
+            fabric::failure_index(point.constants, i * increment, before);
         return {i * increment, before, index.primary > index.secondary ? 19 : 20};
     }
     return {};
@@ -85,7 +86,8 @@ TEST(Failure, ABrokenYarnStaysBrokenAndItsPartnerStraightens) {
     EXPECT_EQ(point.state.N_f, 0.0);
     EXPECT_NEAR(point.state.N_w, 0.0, 1e-6 * 192e9 * point.constants.area / point.constants.span);
     point.advance({.lambda_f = 1.0, .lambda_w = slack * 1.01});
-    EXPECT_NEAR(point.state.h_f, point.constants.thickness / 2, 1e-15);  // warp straight, fill takes all the crimp
+    EXPECT_NEAR(point.state.h_f, point.constants.thickness / 2,
+                1e-15);  // warp straight, fill takes all the crimp
     EXPECT_NEAR(point.state.N_w, 96e9 * 0.01 * point.constants.area / point.constants.span, 1.0);
 }
 
@@ -104,16 +106,19 @@ TEST(Failure, AYarnLeftAloneGivesNoMoreThanItHolds) {
     for (int n = 0; n < 200; ++n) {
         MaterialPoint<F> point(hardly_relaxing(), 3.8e-8);
         const double both = tension(random);
-        for (int i = 1; i <= 200; ++i) point.advance({.lambda_f = 1 + (both - 1) * i / 200, .lambda_w = 1 + (both - 1) * i / 200});
+        for (int i = 1; i <= 200; ++i)
+            point.advance({.lambda_f = 1 + (both - 1) * i / 200, .lambda_w = 1 + (both - 1) * i / 200});
         ASSERT_EQ(point.state.intact_w, 1.0);
         point.state.intact_f = point.state.sigma_f = point.state.N_f = 0;
         const auto& c = point.constants;
-        const double strain = fabric::yarn_state<F>(c, point.state).eps_w, volume = c.area / c.span * (2 * c.length / c.span);
+        const double strain = fabric::yarn_state<F>(c, point.state).eps_w,
+                     volume = c.area / c.span * (2 * c.length / c.span);
         const double held = c.instant_modulus * strain * strain / 2 * volume, before = point.state.work;
         double now = point.state.lambda_w;
         for (int leg = 0; leg < 6 && point.state.intact_w == 1.0; ++leg) {
             const double from = now, to = stretch(random);
-            for (int i = 1; i <= 100; ++i) point.advance({.lambda_f = 1, .lambda_w = now = from + (to - from) * i / 100});
+            for (int i = 1; i <= 100; ++i)
+                point.advance({.lambda_f = 1, .lambda_w = now = from + (to - from) * i / 100});
             ASSERT_GT(point.state.work - before, -1.01 * held - 1e-9) << n;
         }
     }
@@ -127,8 +132,11 @@ TEST(Failure, AYarnLeftAloneIsSlackBetweenItsBounds) {
         auto& state = point.state;
         (fill ? state.intact_w : state.intact_f) = 0;
         const double &force = fill ? state.N_f : state.N_w, stiffness = c.static_modulus * c.area / c.span;
-        const auto bring_to = [&](double lambda) { fill ? point.advance({.lambda_f = lambda}) : point.advance({.lambda_w = lambda}); };
-        const double taut = 2 * c.length / c.span, compressed = 2 * std::sqrt(c.length * c.length - c.thickness * c.thickness / 4) / c.span;
+        const auto bring_to = [&](double lambda) {
+            fill ? point.advance({.lambda_f = lambda}) : point.advance({.lambda_w = lambda});
+        };
+        const double taut = 2 * c.length / c.span,
+                     compressed = 2 * std::sqrt(c.length * c.length - c.thickness * c.thickness / 4) / c.span;
         for (const double lambda : {taut * 0.999, 1.0, 1.05, compressed * 1.001}) {
             bring_to(lambda);
             EXPECT_NEAR(force, 0, 1e-12 * stiffness) << lambda;

@@ -1,4 +1,5 @@
-/// Every feature set: scalar and packed give the same bits, and nothing that is not finite comes out of finite stretches.
+/// Every feature set: scalar and packed give the same bits, and nothing that is not finite comes out of
+/// finite stretches.
 
 #include "weavefront/fabric/features.hpp"
 
@@ -48,8 +49,8 @@ struct Inputs {
 
 /// All numbers of a response, and of the bound after it.
 template <Features F, class Real>
-std::array<Real, 9> outcome(const fabric::Constants& c, const fabric::Step& step, fabric::State<Real>& state, const Real& f, const Real& w,
-                            const Real& cosine) {
+std::array<Real, 9> outcome(const fabric::Constants& c, const fabric::Step& step, fabric::State<Real>& state,
+                            const Real& f, const Real& w, const Real& cosine) {
     const fabric::Response<Real> r = fabric::advance<F, Real>(c, step, state, f, w, cosine);
     const fabric::Stiffness<Real> k = fabric::stiffness_bound<F>(c, state);
     return {r.T_xx, r.T_yy, r.T_xy, r.sin_theta, r.cos_theta, k.yarn_f, k.yarn_w, k.lateral, k.angle};
@@ -87,7 +88,8 @@ void check_kernel(double dt, unsigned seed) {
     Inputs inputs{std::mt19937_64(seed)};
     Stored<F> stored;
     fabric::store_state<F, Pack>(fabric::initial_state<F, Pack>(c), stored.packed.data());
-    for (auto& lane : stored.lanes) fabric::store_state<F, double>(fabric::initial_state<F, double>(c), lane.data());
+    for (auto& lane : stored.lanes)
+        fabric::store_state<F, double>(fabric::initial_state<F, double>(c), lane.data());
     for (int n = 0; n < 400; ++n) {
         Pack f, w, cosine;
         for (int l = 0; l < 8; ++l) {
@@ -101,13 +103,15 @@ void check_kernel(double dt, unsigned seed) {
         for (int l = 0; l < 8; ++l) {
             double* lane = stored.lanes[static_cast<std::size_t>(l)].data();
             auto scalar = fabric::load_state<F, double>(lane);
-            const std::array<double, 9> expected = outcome<F>(c, step, scalar, f.get(l), w.get(l), cosine.get(l));
+            const std::array<double, 9> expected =
+                outcome<F>(c, step, scalar, f.get(l), w.get(l), cosine.get(l));
             fabric::store_state<F, double>(scalar, lane);
             for (std::size_t i = 0; i < 9; ++i) {
                 const double got = result[i].get(l);
-                ASSERT_EQ(std::memcmp(&got, &expected[i], sizeof got), 0) << "step " << n << " lane " << l << " result " << i;
-                ASSERT_TRUE(std::isfinite(got))
-                    << "step " << n << " lane " << l << " result " << i << " lambda " << f.get(l) << ' ' << w.get(l);
+                ASSERT_EQ(std::memcmp(&got, &expected[i], sizeof got), 0)
+                    << "step " << n << " lane " << l << " result " << i;
+                ASSERT_TRUE(std::isfinite(got)) << "step " << n << " lane " << l << " result " << i
+                                                << " lambda " << f.get(l) << ' ' << w.get(l);
             }
         }
         ASSERT_TRUE(stored.same()) << "step " << n;
@@ -131,7 +135,12 @@ TEST(Features, EveryKernelGivesTheSameBitsScalarAndPacked) { for_each_feature_se
 TEST(Features, WhatIsNotAskedForHasNoState) {
     constexpr Features least{.formulation = consistent};
     EXPECT_EQ(fabric::state_size<least>(), 5);  // stretches, forces and work
-    constexpr Features most{.formulation = consistent, .crimp = true, .viscous = true, .lateral = true, .friction = true, .failure = true};
+    constexpr Features most{.formulation = consistent,
+                            .crimp = true,
+                            .viscous = true,
+                            .lateral = true,
+                            .friction = true,
+                            .failure = true};
     EXPECT_EQ(fabric::state_size<most>(), 20);
     scene::Fabric straight = kevlar129();
     straight.thickness = 0;
@@ -147,7 +156,12 @@ TEST(Features, EachSetIsReachedFromItsFabric) {
 
 TEST(Features, LeavingOutWhatDoesNotActChangesNoBit) {
     // no turn, no failure strain reached, trellis open: the full kernel and the bare one agree
-    constexpr Features most{.formulation = consistent, .crimp = true, .viscous = true, .lateral = true, .friction = true, .failure = true};
+    constexpr Features most{.formulation = consistent,
+                            .crimp = true,
+                            .viscous = true,
+                            .lateral = true,
+                            .friction = true,
+                            .failure = true};
     constexpr Features bare{.formulation = consistent, .crimp = true, .viscous = true};
     MaterialPoint<most> full(kevlar129(), 1e-7);
     MaterialPoint<bare> least(kevlar129(), 1e-7);
@@ -162,7 +176,12 @@ TEST(Features, LeavingOutWhatDoesNotActChangesNoBit) {
 
 TEST(Features, WhatIsNotANumberComesThrough) {
     // a guard can only find what the kernel does not swallow
-    constexpr Features F{.formulation = consistent, .crimp = true, .viscous = true, .lateral = true, .friction = true, .failure = true};
+    constexpr Features F{.formulation = consistent,
+                         .crimp = true,
+                         .viscous = true,
+                         .lateral = true,
+                         .friction = true,
+                         .failure = true};
     MaterialPoint<F> point(kevlar129(), 1e-7);
     EXPECT_TRUE(std::isnan(point.advance({.lambda_f = NAN}).T_xx));
 }

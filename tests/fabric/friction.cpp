@@ -14,10 +14,12 @@ namespace {
 constexpr fabric::Features rubbing{.formulation = consistent, .crimp = true, .friction = true};
 constexpr fabric::Features rubbing_paper{.formulation = paper, .crimp = true, .friction = true};
 
-/// Integral of the distance from the centre over the rhombus of two strips of width w that cross at 2 theta, over its area. In polar
-/// coordinates each triangle between centre and side contributes the integral of r^3/3 over its angle; all sides are w/2 away.
+/// Integral of the distance from the centre over the rhombus of two strips of width w that cross at 2 theta,
+/// over its area. In polar coordinates each triangle between centre and side contributes the integral of
+/// r^3/3 over its angle; all sides are w/2 away.
 double arm_by_quadrature(double w, double theta) {
-    // half the side pointing from the foot of the perpendicular to either corner, seen under pi/2 - theta and theta
+    // half the side pointing from the foot of the perpendicular to either corner, seen under pi/2 - theta and
+    // theta
     const auto wedge = [w](double angle) {
         const int n = 20000;
         double sum = 0;
@@ -34,7 +36,8 @@ TEST(Friction, ArmIsTheMeanDistanceInTheRhombus) {
         const double arm = fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * theta * degree)));
         // midpoint rule with 20000 points: its error is below 1e-6 at these angles
         EXPECT_NEAR(arm / arm_by_quadrature(c.width, theta * degree), 1, 1e-6) << theta;
-        EXPECT_NEAR(arm, fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * (90 - theta) * degree))), 1e-14 * arm);
+        EXPECT_NEAR(arm, fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * (90 - theta) * degree))),
+                    1e-14 * arm);
     }
 }
 
@@ -71,7 +74,8 @@ Spent turn(int degrees, int steps_per_degree) {
     const double lambda = 1.02;
     point.advance({.lambda_f = lambda, .lambda_w = lambda});
     const double length = std::hypot(lambda * c.span / 2, c.thickness / 4);
-    const double F_f = c.static_modulus * (length / c.length - 1) * c.area * c.thickness / 4 / length;  // equibiaxial: known
+    const double F_f =
+        c.static_modulus * (length / c.length - 1) * c.area * c.thickness / 4 / length;  // equibiaxial: known
     const double before = point.state.friction_work;
     double expected = 0, first = 0;
     const double dtheta = degree / steps_per_degree;
@@ -80,7 +84,8 @@ Spent turn(int degrees, int steps_per_degree) {
         point.advance({.lambda_f = lambda, .lambda_w = lambda, .theta = theta});
         const double M = 2 * c.friction * F_f * arm_by_quadrature(c.width, middle);
         const double s = std::sin(middle), co = std::cos(middle);
-        const double per_radian = F.paper() ? lambda * lambda * std::sin(2 * middle) * (s * s / co + co * co / s) : 1.0;
+        const double per_radian =
+            F.paper() ? lambda * lambda * std::sin(2 * middle) * (s * s / co + co * co / s) : 1.0;
         expected += 2 * M * per_radian * dtheta / (c.span * c.span);
         if (i == 1) first = expected;
     }
@@ -89,14 +94,16 @@ Spent turn(int degrees, int steps_per_degree) {
 
 TEST(Friction, PureTrellisDissipatesTwiceTheMomentPerCell) {
     const Spent spent = turn<rubbing>(20, 20);
-    // while the yarns stick, over the first 1e-3 rad, half of M is missing; a step is 8.7e-4 rad, which blurs this by as much again
+    // while the yarns stick, over the first 1e-3 rad, half of M is missing; a step is 8.7e-4 rad, which blurs
+    // this by as much again
     const double missing = 0.5 * spent.first / spent.expected * fabric::stick_angle / (degree / 20);
     EXPECT_NEAR(spent.work / spent.expected, 1 - missing, missing);
 }
 
 TEST(Friction, PureTrellisAsPrinted) {
     const Spent spent = turn<rubbing_paper>(20, 20);
-    // (46),(47) act from the first step on at full size; the trapezoid begins at zero: half of the first step is missing
+    // (46),(47) act from the first step on at full size; the trapezoid begins at zero: half of the first step
+    // is missing
     EXPECT_NEAR(spent.work / spent.expected, 1 - 0.5 * spent.first / spent.expected, 2e-6);
 }
 
@@ -105,17 +112,22 @@ TEST(Friction, YarnsStickBelowTheStickAngle) {
     MaterialPoint<rubbing> point(fabric, 1e-9);
     point.advance({.lambda_f = 1.02, .lambda_w = 1.02});
     for (int i = 0; i <= 100; ++i)
-        point.advance({.lambda_f = 1.02, .lambda_w = 1.02, .theta = 45 * degree + 4e-4 * std::sin(0.0628318530717958648 * i)});
+        point.advance({.lambda_f = 1.02,
+                       .lambda_w = 1.02,
+                       .theta = 45 * degree + 4e-4 * std::sin(0.0628318530717958648 * i)});
     // to and fro within the stick range costs nothing: the moment came back to where it was
     EXPECT_NEAR(point.state.friction_moment, 0, 1e-6 * point.state.friction_limit);
-    EXPECT_NEAR(point.state.friction_work, 0, 1e-6 * 2 * point.state.friction_limit * 4e-4 / (0.909e-3 * 0.909e-3));
+    EXPECT_NEAR(point.state.friction_work, 0,
+                1e-6 * 2 * point.state.friction_limit * 4e-4 / (0.909e-3 * 0.909e-3));
 }
 
 TEST(Friction, WhatIsStoredWhileStickingNeverGrowsByItself) {
     MaterialPoint<rubbing> point(elastic_kevlar129(), 1e-9);
     const auto go = [&point](double lambda, double from, double to) {
         for (int i = 0; i <= 100; ++i)
-            point.advance({.lambda_f = lambda, .lambda_w = lambda, .theta = 45 * degree + from + (to - from) * i / 100});
+            point.advance({.lambda_f = lambda,
+                           .lambda_w = lambda,
+                           .theta = 45 * degree + from + (to - from) * i / 100});
     };
     const double angle = 5e-4;
     go(1.02, 0, angle);  // half-way to slip
@@ -124,14 +136,17 @@ TEST(Friction, WhatIsStoredWhileStickingNeverGrowsByItself) {
     const double loose = point.state.friction_limit;
     go(1.01, angle, 0);
     EXPECT_NEAR(loose / tight, 0.5, 0.02);
-    // M angle^2/(2e-3) went in under the tight grip and came back under the loose one; M moves by less than 1e-3 over this turn
-    const double s = point.constants.span, expected = 2 / (s * s) * (tight - loose) * angle * angle / (2 * fabric::stick_angle);
+    // M angle^2/(2e-3) went in under the tight grip and came back under the loose one; M moves by less than
+    // 1e-3 over this turn
+    const double s = point.constants.span,
+                 expected = 2 / (s * s) * (tight - loose) * angle * angle / (2 * fabric::stick_angle);
     EXPECT_NEAR(point.state.friction_work / expected, 1, 4e-3);
 }
 
 TEST(Friction, OnlyYarnsThatPressRub) {
     MaterialPoint<rubbing> point(elastic_kevlar129(), 1e-9);
-    for (int i = 1; i <= 20; ++i) point.advance({.lambda_f = 0.98, .lambda_w = 0.98, .theta = (45 + i) * degree});
+    for (int i = 1; i <= 20; ++i)
+        point.advance({.lambda_f = 0.98, .lambda_w = 0.98, .theta = (45 + i) * degree});
     EXPECT_EQ(point.state.friction_work, 0);
 }
 

@@ -13,7 +13,8 @@
 namespace weavefront::fabric {
 namespace {
 
-/// Halves, whole numbers and their neighbours around every power of two up to 2^54, and random numbers of every size up to there.
+/// Halves, whole numbers and their neighbours around every power of two up to 2^54, and random numbers of
+/// every size up to there.
 std::vector<double> numbers() {
     std::vector<double> result{0.0, -0.0, 5e-324, 0x1p-1022, 0x1p54, -0x1p54};
     for (int exponent = -2; exponent <= 54; ++exponent)
@@ -46,17 +47,20 @@ TEST(Integers, AreTheNearestWithHalvesToEven) {
 
 TEST(Integers, BecomeTheNearestDoubles) {
     using Limits = std::numeric_limits<std::int64_t>;
-    std::vector<std::int64_t> values{0, 1, -1, Limits::max(), Limits::min(), Limits::max() - 1, Limits::min() + 1};
+    std::vector<std::int64_t> values{
+        0, 1, -1, Limits::max(), Limits::min(), Limits::max() - 1, Limits::min() + 1};
     for (int bit = 0; bit < 63; ++bit)
         for (std::int64_t offset = -3; offset <= 3; ++offset)
-            values.insert(values.end(), {(std::int64_t{1} << bit) + offset, -(std::int64_t{1} << bit) + offset});
+            values.insert(values.end(),
+                          {(std::int64_t{1} << bit) + offset, -(std::int64_t{1} << bit) + offset});
     std::mt19937_64 random(6);
     for (int n = 0; n < 100000; ++n) values.push_back(static_cast<std::int64_t>(random()) >> n % 64);
     while (values.size() % pack_width != 0) values.push_back(7);
     for (std::size_t i = 0; i < values.size(); i += pack_width) {
         const Pack doubles = to_pack(Integers::load(&values[i]));
         for (std::size_t lane = 0; lane < pack_width; ++lane)
-            ASSERT_EQ(doubles.get(static_cast<int>(lane)), static_cast<double>(values[i + lane])) << values[i + lane];
+            ASSERT_EQ(doubles.get(static_cast<int>(lane)), static_cast<double>(values[i + lane]))
+                << values[i + lane];
     }
 }
 

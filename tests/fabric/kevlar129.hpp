@@ -19,7 +19,8 @@ inline constexpr double degree = std::numbers::pi / 180;
     fabric.thickness = 0.82e-3;
     fabric.elastic = {.static_modulus = 96e9, .hooke_modulus = 192e9, .viscosity = 35e6};
     fabric.failure = scene::Failure{.static_strain = 0.033, .hooke_strain = 0.027};
-    fabric.lateral = scene::Lateral{.modulus = 7.4e9, .shear_modulus = 2.5e9, .locking_angle = 35 * degree, .transition = 3 * degree};
+    fabric.lateral = scene::Lateral{
+        .modulus = 7.4e9, .shear_modulus = 2.5e9, .locking_angle = 35 * degree, .transition = 3 * degree};
     fabric.friction = 0.11;
     fabric.transverse_shear = 2.5e9;
     return fabric;

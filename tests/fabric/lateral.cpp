@@ -43,8 +43,8 @@ TEST(Lateral, StrainIncrementsOfAPureTrellis) {
         for (const double dtheta : {1e-3, 1e-4}) {
             const auto at = [](double angle) { return fabric::trellis_of(std::cos(2 * angle)); };
             const double middle = theta * degree;
-            const fabric::PlaneTensor<double> dE =
-                fabric::strain_increment(1.0, 1.0, at(middle - dtheta / 2), 1.0, 1.0, at(middle + dtheta / 2));
+            const fabric::PlaneTensor<double> dE = fabric::strain_increment(
+                1.0, 1.0, at(middle - dtheta / 2), 1.0, 1.0, at(middle + dtheta / 2));
             EXPECT_NEAR(dE.xx, -std::tan(middle) * dtheta, 10 * dtheta * dtheta * dtheta + 1e-14);
             EXPECT_NEAR(dE.yy, dtheta / std::tan(middle), 10 * dtheta * dtheta * dtheta + 1e-14);
             EXPECT_NEAR(dE.xy, 0, 1e-14);
@@ -64,8 +64,8 @@ TEST(Lateral, StrainsAndStressesTurnIntoTheYarnsAxes) {
         EXPECT_NEAR(strain.eps_22, component(across, across), 1e-15);
         EXPECT_NEAR(strain.gamma_12, 2 * component(along, across), 1e-15);
         // and back
-        const fabric::PlaneTensor<double> again =
-            fabric::to_bisector_frame(component(along, along), component(across, across), component(along, across), c, side);
+        const fabric::PlaneTensor<double> again = fabric::to_bisector_frame(
+            component(along, along), component(across, across), component(along, across), c, side);
         EXPECT_NEAR(again.xx, E.xx, 1e-15);
         EXPECT_NEAR(again.yy, E.yy, 1e-15);
         EXPECT_NEAR(again.xy, E.xy, 1e-15);
@@ -79,7 +79,8 @@ TEST(Lateral, PackedYarnsAnswerSpacingAndAngle) {
     MaterialPoint<packing> point(fabric, 1e-9);
     const fabric::Constants& c = point.constants;
     ASSERT_EQ(point.state.alpha, 1);
-    for (int i = 1; i <= 10; ++i) point.advance({.lambda_f = 1 + 1e-3 * i, .lambda_w = 1 - 2e-3 * i, .theta = (45 + i) * degree});
+    for (int i = 1; i <= 10; ++i)
+        point.advance({.lambda_f = 1 + 1e-3 * i, .lambda_w = 1 - 2e-3 * i, .theta = (45 + i) * degree});
     const double sine = std::sin(110 * degree), tension = c.lateral_modulus * c.effective_thickness / 2;
     EXPECT_NEAR(point.state.p_f, tension * std::log(0.98 * sine), 1e-12 * tension);
     EXPECT_NEAR(point.state.p_w, tension * std::log(1.01 * sine), 1e-12 * tension);

@@ -11,8 +11,10 @@ namespace {
 
 /// Error in units of the last place of the exact value.
 double ulps(double value, long double exact) {
-    const double spacing = std::nextafter(std::abs(static_cast<double>(exact)), INFINITY) - std::abs(static_cast<double>(exact));
-    return static_cast<double>(std::abs(static_cast<long double>(value) - exact) / static_cast<long double>(spacing));
+    const double spacing =
+        std::nextafter(std::abs(static_cast<double>(exact)), INFINITY) - std::abs(static_cast<double>(exact));
+    return static_cast<double>(std::abs(static_cast<long double>(value) - exact) /
+                               static_cast<long double>(spacing));
 }
 
 TEST(Math, AtanIsWithinTwoUnitsOfTheLastPlace) {
@@ -38,7 +40,8 @@ TEST(Math, LogarithmOfARatio) {
             if (a != b) worst = std::max(worst, ulps(log_ratio(a, b), exact));
         }
     }
-    // difference, sum and quotient of u round to 1.5 units together; the series, or the quotient a/b of the long way, adds about 2
+    // difference, sum and quotient of u round to 1.5 units together; the series, or the quotient a/b of the
+    // long way, adds about 2
     EXPECT_LT(worst, 4.0);
 }
 
@@ -52,7 +55,8 @@ TEST(Math, RelaxationFromInstantToForever) {
 }
 
 TEST(Math, Sine) {
-    for (double a = 0.01; a < 1.5708; a += 0.01) EXPECT_LT(ulps(sine(a), std::sin(static_cast<long double>(a))), 3) << a;
+    for (double a = 0.01; a < 1.5708; a += 0.01)
+        EXPECT_LT(ulps(sine(a), std::sin(static_cast<long double>(a))), 3) << a;
 }
 
 TEST(Math, ClampKeepsWhatIsNotANumber) {

@@ -25,7 +25,8 @@ Pack pack_of(const std::array<double, 8>& values) {
 
 /// Pairs of awkward and of random operands, eight at a time.
 std::vector<std::array<std::array<double, 8>, 2>> operands() {
-    const std::vector<double> awkward{0.0, -0.0, 1.0, -1.0, infinity, -infinity, not_a_number, 1e-310, 1e308, 3.0};
+    const std::vector<double> awkward{0.0,       -0.0,         1.0,    -1.0,  infinity,
+                                      -infinity, not_a_number, 1e-310, 1e308, 3.0};
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> mantissa(-2, 2);
     std::uniform_int_distribution<int> exponent(-300, 300);
@@ -52,7 +53,8 @@ void expect_same_bits(Packed packed, Scalar scalar) {
             const double expected = scalar(a[i], b[i]);
             const double got = result.get(static_cast<int>(i));
             if (std::isnan(expected) && std::isnan(got)) continue;
-            ASSERT_EQ(std::bit_cast<std::uint64_t>(got), std::bit_cast<std::uint64_t>(expected)) << a[i] << ' ' << b[i];
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(got), std::bit_cast<std::uint64_t>(expected))
+                << a[i] << ' ' << b[i];
         }
     }
 }

@@ -16,7 +16,8 @@ namespace {
 
 using Vectors = std::array<double, 6>;  // g_f and g_w, three components each
 
-constexpr fabric::Features F{.formulation = consistent, .crimp = true, .viscous = true, .lateral = true, .friction = true};
+constexpr fabric::Features F{
+    .formulation = consistent, .crimp = true, .viscous = true, .lateral = true, .friction = true};
 
 struct Local {
     double lambda_f, lambda_w, cos_2theta;
@@ -32,7 +33,8 @@ Vectors forces(const MaterialPoint<F>& start, const Vectors& g) {
     MaterialPoint<F> point = start;
     const Local k = local(g);
     fabric::advance<F>(point.constants, point.step, point.state, k.lambda_f, k.lambda_w, k.cos_2theta);
-    const double m = point.state.m + 2 * point.state.friction_moment / (point.constants.span * point.constants.span);
+    const double m =
+        point.state.m + 2 * point.state.friction_moment / (point.constants.span * point.constants.span);
     const double sine = std::sqrt(1 - k.cos_2theta * k.cos_2theta);
     Vectors result{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -68,13 +70,16 @@ TEST(Stiffness, BoundsEveryDirectionOfTheTangent) {
     double tightest = 0, tightest_tangent = 0;
     for (int n = 0; n < 3000; ++n) {
         MaterialPoint<F> point(kevlar129(), 1e-9);
-        const double turn = 43 * degree * one(random), f = 1.03 + 0.02 * one(random), w = 1.03 + 0.02 * one(random);
+        const double turn = 43 * degree * one(random), f = 1.03 + 0.02 * one(random),
+                     w = 1.03 + 0.02 * one(random);
         for (int i = 1; i <= 60; ++i) {
             const double x = i / 60.0;
-            point.advance({.lambda_f = 1 + (f - 1) * x, .lambda_w = 1 + (w - 1) * x, .theta = 45 * degree + turn * x});
+            point.advance(
+                {.lambda_f = 1 + (f - 1) * x, .lambda_w = 1 + (w - 1) * x, .theta = 45 * degree + turn * x});
         }
         const double theta = 45 * degree + turn;
-        const Vectors g{f * std::cos(theta), f * std::sin(theta), 0, w * std::cos(theta), -w * std::sin(theta), 0};
+        const Vectors g{f * std::cos(theta), f * std::sin(theta),  0,
+                        w * std::cos(theta), -w * std::sin(theta), 0};
         const Vectors rest = forces(point, g);
         Vectors change{};
         const double size = 1e-7;
@@ -88,12 +93,15 @@ TEST(Stiffness, BoundsEveryDirectionOfTheTangent) {
         }
         const double dpsi = std::acos(local(moved).cos_2theta) - std::acos(local(g).cos_2theta);
         const fabric::Stiffness<double> k = fabric::stiffness_bound<F>(point.constants, point.state);
-        const double bound = (k.yarn_f + k.lateral) * dg_f + (k.yarn_w + k.lateral) * dg_w + k.angle * dpsi * dpsi;
-        ASSERT_LE(quotient, bound * (1 + 1e-5)) << n << " turn " << turn / degree;  // the quotient is off by size over stick angle
+        const double bound =
+            (k.yarn_f + k.lateral) * dg_f + (k.yarn_w + k.lateral) * dg_w + k.angle * dpsi * dpsi;
+        ASSERT_LE(quotient, bound * (1 + 1e-5))
+            << n << " turn " << turn / degree;  // the quotient is off by size over stick angle
         tightest = std::max(tightest, quotient / bound);
-        const double across =
-            k.normal[0] * change[2] * change[2] + 2 * k.normal[1] * change[2] * change[5] + k.normal[2] * change[5] * change[5];
-        const double tangent = in_plane(fabric::tangent_bound<F>(point.constants, point.state), g, change) + across;
+        const double across = k.normal[0] * change[2] * change[2] + 2 * k.normal[1] * change[2] * change[5] +
+                              k.normal[2] * change[5] * change[5];
+        const double tangent =
+            in_plane(fabric::tangent_bound<F>(point.constants, point.state), g, change) + across;
         ASSERT_LE(quotient, tangent * (1 + 1e-5)) << n << " turn " << turn / degree;
         tightest_tangent = std::max(tightest_tangent, quotient / tangent);
     }

@@ -13,11 +13,14 @@ namespace {
 TEST(Vectors, AreGatheredByComponent) {
     std::vector<double> vectors(std::size_t{3} * 20);
     std::iota(vectors.begin(), vectors.end(), 0.0);
-    const std::array<std::int32_t, pack_width> index{19, 0, 7, 7, 3, 12, 1, 18};  // the last and the first: nothing beyond is read
+    const std::array<std::int32_t, pack_width> index{
+        19, 0, 7, 7, 3, 12, 1, 18};  // the last and the first: nothing beyond is read
     const auto components = gather_vectors(vectors.data(), index);
     for (std::size_t d = 0; d < 3; ++d)
         for (int lane = 0; lane < pack_width; ++lane)
-            EXPECT_EQ(components[d].get(lane), 3 * index[static_cast<std::size_t>(lane)] + static_cast<int>(d)) << lane;
+            EXPECT_EQ(components[d].get(lane),
+                      3 * index[static_cast<std::size_t>(lane)] + static_cast<int>(d))
+                << lane;
 }
 
 template <int block>

@@ -10,13 +10,16 @@
 namespace weavefront::test {
 namespace {
 
-constexpr fabric::Features all{.formulation = consistent, .crimp = true, .viscous = true, .lateral = true, .friction = true};
-constexpr fabric::Features all_paper{.formulation = paper, .crimp = true, .viscous = true, .lateral = true, .friction = true};
+constexpr fabric::Features all{
+    .formulation = consistent, .crimp = true, .viscous = true, .lateral = true, .friction = true};
+constexpr fabric::Features all_paper{
+    .formulation = paper, .crimp = true, .viscous = true, .lateral = true, .friction = true};
 
 /// A smooth path from rest through stretch, shear beyond locking and interchange.
 Kinematics path(double x) {
-    return {
-        .lambda_f = 1 + 0.05 * x + 0.02 * std::sin(5 * x), .lambda_w = 1 + 0.03 * x * x, .theta = (45 + 42 * std::sin(1.5 * x)) * degree};
+    return {.lambda_f = 1 + 0.05 * x + 0.02 * std::sin(5 * x),
+            .lambda_w = 1 + 0.03 * x * x,
+            .theta = (45 + 42 * std::sin(1.5 * x)) * degree};
 }
 
 /// |work - integral of T : dE| over the path.
@@ -29,9 +32,10 @@ double defect(int steps, double* total) {
         const Kinematics from = path((i - 1.0) / steps), to = path(static_cast<double>(i) / steps);
         const fabric::Response<double> response = point.advance(to);
         const auto trellis = [](const Kinematics& k) { return fabric::trellis_of(std::cos(2 * k.theta)); };
-        const fabric::PlaneTensor<double> dE =
-            fabric::strain_increment(from.lambda_f, from.lambda_w, trellis(from), to.lambda_f, to.lambda_w, trellis(to));
-        power += 0.5 * ((last.T_xx + response.T_xx) * dE.xx + (last.T_yy + response.T_yy) * dE.yy) + (last.T_xy + response.T_xy) * dE.xy;
+        const fabric::PlaneTensor<double> dE = fabric::strain_increment(
+            from.lambda_f, from.lambda_w, trellis(from), to.lambda_f, to.lambda_w, trellis(to));
+        power += 0.5 * ((last.T_xx + response.T_xx) * dE.xx + (last.T_yy + response.T_yy) * dE.yy) +
+                 (last.T_xy + response.T_xy) * dE.xy;
         last = response;
     }
     *total = power;
@@ -52,7 +56,8 @@ TEST(Work, EqualsTheStressPowerAsPrinted) { expect_work_of_stress_power<all_pape
 TEST(Work, ForcesAndResultantsAreEachOthersInverse) {
     for (double theta = 5; theta < 90; theta += 7) {
         const fabric::Trellis<double> trellis = fabric::trellis_of(std::cos(2 * theta * degree));
-        const fabric::Forces<double> n = fabric::forces(fabric::resultants(fabric::Forces<double>{3, -2, 0.7}, trellis), trellis);
+        const fabric::Forces<double> n =
+            fabric::forces(fabric::resultants(fabric::Forces<double>{3, -2, 0.7}, trellis), trellis);
         EXPECT_NEAR(n.fill, 3, 1e-13);
         EXPECT_NEAR(n.warp, -2, 1e-13);
         EXPECT_NEAR(n.angle, 0.7, 1e-12);
@@ -80,9 +85,11 @@ TEST(Work, ASpinningObserverSeesTheSameResponse) {
     for (int i = 1; i <= 200; ++i) {
         const double x = i / 200.0, a = 40 * x, c = std::cos(a), s = std::sin(a);
         const std::array<double, 4> F{1 + 0.05 * x, 0.4 * x * x, -0.1 * x, 1 + 0.03 * x};
-        const std::array<double, 4> RF{c * F[0] - s * F[2], c * F[1] - s * F[3], s * F[0] + c * F[2], s * F[1] + c * F[3]};
+        const std::array<double, 4> RF{c * F[0] - s * F[2], c * F[1] - s * F[3], s * F[0] + c * F[2],
+                                       s * F[1] + c * F[3]};
         const fabric::Response<double> one = still.advance(of(F)), other = spun.advance(of(RF));
-        const double scale = 1e-11 * still.constants.hooke_modulus * still.constants.area / still.constants.span;
+        const double scale =
+            1e-11 * still.constants.hooke_modulus * still.constants.area / still.constants.span;
         ASSERT_NEAR(one.T_xx, other.T_xx, scale);
         ASSERT_NEAR(one.T_yy, other.T_yy, scale);
         ASSERT_NEAR(one.T_xy, other.T_xy, scale);

@@ -1,4 +1,5 @@
-/// Yarn viscoelasticity against its closed forms, through the kernel of straight yarns (t = 0): the yarn strain is lambda - 1.
+/// Yarn viscoelasticity against its closed forms, through the kernel of straight yarns (t = 0): the yarn
+/// strain is lambda - 1.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,8 @@ scene::Fabric straight() {
 
 double at_constant_rate(const fabric::Constants& c, double rate, double time) {
     const double tau = c.relaxation_time;
-    return c.static_modulus * rate * time + (c.hooke_modulus - c.static_modulus) * rate * tau * -std::expm1(-time / tau);
+    return c.static_modulus * rate * time +
+           (c.hooke_modulus - c.static_modulus) * rate * tau * -std::expm1(-time / tau);
 }
 
 /// Stress after `time` at a constant strain rate, in `steps` steps.
@@ -44,7 +46,8 @@ TEST(Yarn, ConstantRateIsExactAtAnyStep) {
         for (const int steps : {1, 7, 1000}) {
             const double expected = at_constant_rate(c, rate, time);
             // each step rounds the strain, 1e-16 of a stretch of about 1
-            EXPECT_NEAR(constant_rate<exact>(rate, time, steps), expected, steps * 2.3e-16 * c.hooke_modulus) << rate << ' ' << steps;
+            EXPECT_NEAR(constant_rate<exact>(rate, time, steps), expected, steps * 2.3e-16 * c.hooke_modulus)
+                << rate << ' ' << steps;
         }
     }
 }
@@ -66,7 +69,8 @@ TEST(Yarn, StepStrainRelaxesExponentially) {
     point.step = fabric::step_of(c, exact, 20e-6);
     for (int i = 1; i <= 30; ++i) {
         point.advance({.lambda_f = 1 + e0});
-        const double expected = e0 * (c.static_modulus + (c.hooke_modulus - c.static_modulus) * std::exp(-i * 20e-6 / c.relaxation_time));
+        const double expected = e0 * (c.static_modulus + (c.hooke_modulus - c.static_modulus) *
+                                                             std::exp(-i * 20e-6 / c.relaxation_time));
         EXPECT_NEAR(point.state.sigma_f, expected, 1e-14 * c.hooke_modulus);
     }
 }
@@ -101,7 +105,9 @@ void expect_moduli_of_order_two() {
         const Moduli coarse = harmonic<F>(omega, 64), fine = harmonic<F>(omega, 128);
         EXPECT_NEAR(fine.storage / closed.storage, 1, 1e-3);
         EXPECT_NEAR(fine.loss / closed.loss, 1, 1e-3);
-        const auto error = [&closed](const Moduli& m) { return std::hypot(m.storage - closed.storage, m.loss - closed.loss); };
+        const auto error = [&closed](const Moduli& m) {
+            return std::hypot(m.storage - closed.storage, m.loss - closed.loss);
+        };
         EXPECT_NEAR(std::log2(error(coarse) / error(fine)), 2.0, 0.05) << omega_tau;
     }
 }

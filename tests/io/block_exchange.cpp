@@ -23,7 +23,8 @@ TEST(BlockExchange, BringsEveryValueToItsPlace) {
         EXPECT_EQ(exchange.first(), total * comm.rank() / comm.size());
         EXPECT_EQ(exchange.first() + exchange.count(), total * (comm.rank() + 1) / comm.size());
         std::vector<double> values;
-        for (const auto id : owned) values.insert(values.end(), {static_cast<double>(id), static_cast<double>(-id)});
+        for (const auto id : owned)
+            values.insert(values.end(), {static_cast<double>(id), static_cast<double>(-id)});
         const auto block = exchange.to_block<double>(values, 2);
         ASSERT_EQ(static_cast<std::int64_t>(block.size()), 2 * exchange.count());
         for (std::size_t i = 0; i < block.size() / 2; ++i) {
@@ -34,7 +35,8 @@ TEST(BlockExchange, BringsEveryValueToItsPlace) {
     }
 }
 
-std::string refusal(const parallel::Communicator& comm, std::int64_t total, const std::vector<std::int64_t>& owned) {
+std::string refusal(const parallel::Communicator& comm, std::int64_t total,
+                    const std::vector<std::int64_t>& owned) {
     try {
         const BlockExchange exchange(comm, total, owned);
     } catch (const std::logic_error& failure) {
@@ -45,7 +47,9 @@ std::string refusal(const parallel::Communicator& comm, std::int64_t total, cons
 
 TEST(BlockExchange, RefusesWhatIsNoPartitionOnAllRanks) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto on_first = [&](std::vector<std::int64_t> ids) { return comm.rank() == 0 ? ids : std::vector<std::int64_t>{}; };
+    const auto on_first = [&](std::vector<std::int64_t> ids) {
+        return comm.rank() == 0 ? ids : std::vector<std::int64_t>{};
+    };
     EXPECT_EQ(refusal(comm, 4, on_first({0, 1, 3})), "global id 2 has no owner");
     EXPECT_EQ(refusal(comm, 4, on_first({1, 0, 2, 3})), "owned global ids are not ascending");
     EXPECT_EQ(refusal(comm, 4, on_first({0, 1, 2, 3, 4})), "an owned global id lies outside 0..3");

@@ -14,9 +14,12 @@ namespace weavefront::io {
 namespace {
 
 const char* const header =
-    "time,projectile_x,projectile_y,projectile_z,projectile_vx,projectile_vy,projectile_vz,contact_fx,contact_fy,contact_fz,kinetic_fabric,"
-    "kinetic_projectile,internal,hourglass,contact,friction,damping,external,eroded,energy_error,broken_yarns,eroded_elements,"
-    "max_displacement,time_step,back_face_deflection,penetration,penetration_x,penetration_y,penetration_ply,debris_elements,debris_mass,"
+    "time,projectile_x,projectile_y,projectile_z,projectile_vx,projectile_vy,projectile_vz,contact_fx,"
+    "contact_fy,contact_fz,kinetic_fabric,"
+    "kinetic_projectile,internal,hourglass,contact,friction,damping,external,eroded,energy_error,broken_"
+    "yarns,eroded_elements,"
+    "max_displacement,time_step,back_face_deflection,penetration,penetration_x,penetration_y,penetration_ply,"
+    "debris_elements,debris_mass,"
     "debris_displacement";
 
 // Every column has a value of its own, so an exchange of two shows.
@@ -49,7 +52,8 @@ HistoryRow numbered_row() {
 }
 
 const char* const numbered_line =
-    "0.10000000000000001,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,9007199254740993,22,23,24,25,26,27,28,29,30,31,32";
+    "0.10000000000000001,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,9007199254740993,22,23,24,25,26,27,"
+    "28,29,30,31,32";
 
 TEST(History, HoldsTheColumnsInTheirOrderAtFullPrecision) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
@@ -60,7 +64,8 @@ TEST(History, HoldsTheColumnsInTheirOrderAtFullPrecision) {
     history.write(numbered_row());
     // Read while the table is open: a row counts once it is written.
     if (comm.rank() == 0) {
-        EXPECT_EQ(content(directory / "history.csv"), std::string(header) + "\n" + numbered_line + "\n" + numbered_line + "\n");
+        EXPECT_EQ(content(directory / "history.csv"),
+                  std::string(header) + "\n" + numbered_line + "\n" + numbered_line + "\n");
         EXPECT_EQ(history.hash(), sha256_of_file(directory / "history.csv"));
     }
 }
@@ -108,7 +113,8 @@ TEST(History, RefusesWhatIsNotFinite) {
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
         auto row = numbered_row();
         row.hourglass = value;
-        EXPECT_NE(message_of<NotFinite>([&] { history.write(row); }).find("column hourglass"), std::string::npos);
+        EXPECT_NE(message_of<NotFinite>([&] { history.write(row); }).find("column hourglass"),
+                  std::string::npos);
     }
     if (comm.rank() == 0) {
         EXPECT_EQ(content(directory / "history.csv"), std::string(header) + "\n");

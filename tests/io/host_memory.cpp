@@ -14,7 +14,10 @@ class HostMemoryTest : public testing::Test {
         std::filesystem::create_directories((root_ / name).parent_path());
         std::ofstream(root_ / name) << text;
     }
-    void SetUp() override { put("proc/meminfo", "MemTotal:       4000000 kB\nMemFree:         100 kB\nMemAvailable:    1000000 kB\n"); }
+    void SetUp() override {
+        put("proc/meminfo",
+            "MemTotal:       4000000 kB\nMemFree:         100 kB\nMemAvailable:    1000000 kB\n");
+    }
 
     const parallel::Communicator comm_{MPI_COMM_SELF};
     const ScratchDirectory directory_{comm_};

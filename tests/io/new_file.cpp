@@ -20,7 +20,9 @@ class NewFileTest : public testing::Test {
     const ScratchDirectory directory_{comm_};
     const std::filesystem::path path_ = directory_ / "table.csv", temporary_ = directory_ / "table.csv.new";
 
-    void put(const std::filesystem::path& path, const std::string& text) const { std::ofstream(path) << text; }
+    void put(const std::filesystem::path& path, const std::string& text) const {
+        std::ofstream(path) << text;
+    }
     [[nodiscard]] std::string refusal() const {
         return message_of<FileError>([&] { replace_file(path_, "text"); });
     }
@@ -49,7 +51,8 @@ TEST_F(NewFileTest, LeavesNothingUnlessItIsPublished) {
 TEST_F(NewFileTest, NeverTouchesALink) {
     put(directory_ / "target", "precious");
     std::filesystem::create_symlink(directory_ / "target", path_);
-    EXPECT_EQ(refusal(), path_.string() + " cannot be written: it is a link, allowed is a regular file or none");
+    EXPECT_EQ(refusal(),
+              path_.string() + " cannot be written: it is a link, allowed is a regular file or none");
     std::filesystem::remove(path_);
     std::filesystem::create_symlink(directory_ / "target", temporary_);
     EXPECT_NE(refusal().find(temporary_.string() + " is in the way"), std::string::npos) << refusal();
@@ -63,14 +66,17 @@ TEST_F(NewFileTest, NeverTouchesALink) {
 
 TEST_F(NewFileTest, NeverReplacesWhatIsNoFile) {
     ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
-    EXPECT_EQ(refusal(), path_.string() + " cannot be written: it is a FIFO, allowed is a regular file or none");
+    EXPECT_EQ(refusal(),
+              path_.string() + " cannot be written: it is a FIFO, allowed is a regular file or none");
     std::filesystem::remove(path_);
     std::filesystem::create_directory(path_);
-    EXPECT_EQ(refusal(), path_.string() + " cannot be written: it is a folder, allowed is a regular file or none");
+    EXPECT_EQ(refusal(),
+              path_.string() + " cannot be written: it is a folder, allowed is a regular file or none");
     std::filesystem::remove(path_);
     // One of the system's would be lost if this failed.
     if (::mknod(path_.c_str(), S_IFCHR | 0600, makedev(1, 3)) != 0) GTEST_SKIP() << "only root makes devices";
-    EXPECT_EQ(refusal(), path_.string() + " cannot be written: it is a device, allowed is a regular file or none");
+    EXPECT_EQ(refusal(),
+              path_.string() + " cannot be written: it is a device, allowed is a regular file or none");
     EXPECT_TRUE(std::filesystem::is_character_file(path_));
 }
 
@@ -88,7 +94,8 @@ TEST_F(NewFileTest, HoldsWholeTextsWhenTheDiskIsFull) {
     NewFile file(path_);
     ::setrlimit(RLIMIT_FSIZE, &limit);
     file.append("12345\n");
-    EXPECT_EQ(message_of<FileError>([&] { file.append("67890\n"); }), path_.string() + " cannot be written: File too large");
+    EXPECT_EQ(message_of<FileError>([&] { file.append("67890\n"); }),
+              path_.string() + " cannot be written: File too large");
     ::setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(content(temporary_), "12345\n");

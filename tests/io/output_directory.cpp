@@ -34,13 +34,16 @@ class OutputDirectoryTest : public testing::Test {
         MPI_Barrier(comm_.get());
     }
     [[nodiscard]] bool is_there(const std::string& name) const {
-        return comm_.any(comm_.rank() == 0 && std::filesystem::exists(std::filesystem::symlink_status(directory_ / name)));
+        return comm_.any(comm_.rank() == 0 &&
+                         std::filesystem::exists(std::filesystem::symlink_status(directory_ / name)));
     }
     [[nodiscard]] std::string refusal(Earlier earlier) const {
-        return message_of<scene::InputError>([&] { const OutputDirectory refused(directory_ / "run", comm_, earlier); });
+        return message_of<scene::InputError>(
+            [&] { const OutputDirectory refused(directory_ / "run", comm_, earlier); });
     }
     [[nodiscard]] std::string fault(Earlier earlier = Earlier::refused) const {
-        return message_of<FileError>([&] { const OutputDirectory refused(directory_ / "run", comm_, earlier); });
+        return message_of<FileError>(
+            [&] { const OutputDirectory refused(directory_ / "run", comm_, earlier); });
     }
 };
 
@@ -59,10 +62,13 @@ TEST_F(OutputDirectoryTest, IsCreatedWithItsParentsAndGoesWhereNothingWasWritten
 }
 
 TEST_F(OutputDirectoryTest, RefusesAnythingOfARunByItsName) {
-    for (const char* name : {"results.vtkhdf", "history.csv", "summary.json", "run.log", "results.vtkhdf.new", "history.csv.new"}) {
+    for (const char* name : {"results.vtkhdf", "history.csv", "summary.json", "run.log", "results.vtkhdf.new",
+                             "history.csv.new"}) {
         put(std::string("run/") + name);
         const auto message = refusal(Earlier::refused);
-        EXPECT_NE(message.find(std::string("holds a run already (") + name + "): --overwrite replaces it"), std::string::npos) << message;
+        EXPECT_NE(message.find(std::string("holds a run already (") + name + "): --overwrite replaces it"),
+                  std::string::npos)
+            << message;
         EXPECT_TRUE(is_there(std::string("run/") + name));
         if (comm_.rank() == 0) std::filesystem::remove(directory_ / "run" / name);
         MPI_Barrier(comm_.get());
@@ -72,10 +78,12 @@ TEST_F(OutputDirectoryTest, RefusesAnythingOfARunByItsName) {
 }
 
 TEST_F(OutputDirectoryTest, KeepsAnEarlierRunUntilItIsCleared) {
-    for (const char* name : {"results.vtkhdf", "history.csv", "summary.json", "run.log", "results.vtkhdf.new", "notes.txt"})
+    for (const char* name :
+         {"results.vtkhdf", "history.csv", "summary.json", "run.log", "results.vtkhdf.new", "notes.txt"})
         put(std::string("run/") + name);
     OutputDirectory directory(directory_ / "run", comm_, Earlier::replaced);
-    for (const char* name : {"results.vtkhdf", "history.csv", "summary.json", "run.log"}) EXPECT_TRUE(is_there(std::string("run/") + name));
+    for (const char* name : {"results.vtkhdf", "history.csv", "summary.json", "run.log"})
+        EXPECT_TRUE(is_there(std::string("run/") + name));
     EXPECT_FALSE(is_there("run/results.vtkhdf.new")) << "of a run that was killed";
     const auto there = directory.clear();
     EXPECT_EQ(there.size(), comm_.rank() == 0 ? 4U : 0U);
@@ -99,11 +107,13 @@ TEST_F(OutputDirectoryTest, RefusesLinksInPlaceOfFiles) {
     put("target", "precious");
     put("run/notes.txt");
     for (const char* name : {"history.csv", "results.vtkhdf.new"}) {
-        if (comm_.rank() == 0) std::filesystem::create_symlink(directory_ / "target", directory_ / "run" / name);
+        if (comm_.rank() == 0)
+            std::filesystem::create_symlink(directory_ / "target", directory_ / "run" / name);
         MPI_Barrier(comm_.get());
         for (const auto earlier : {Earlier::refused, Earlier::replaced, Earlier::kept})
             EXPECT_EQ(fault(earlier),
-                      (directory_ / "run" / name).string() + " cannot be written: it is a link, allowed is a regular file or none");
+                      (directory_ / "run" / name).string() +
+                          " cannot be written: it is a link, allowed is a regular file or none");
         EXPECT_TRUE(comm_.rank() != 0 || std::filesystem::remove(directory_ / "run" / name));
         MPI_Barrier(comm_.get());
     }
@@ -113,18 +123,22 @@ TEST_F(OutputDirectoryTest, RefusesLinksInPlaceOfFiles) {
 TEST_F(OutputDirectoryTest, FailsOnAllRanksBelowAFile) {
     put("file");
     const auto message = message_of<FileError>([&] { OutputDirectory(directory_ / "file/run", comm_); });
-    EXPECT_EQ(message, "output directory " + (directory_ / "file/run").string() + " cannot be created: Not a directory");
+    EXPECT_EQ(message, "output directory " + (directory_ / "file/run").string() +
+                           " cannot be created: Not a directory");
 }
 
 TEST_F(OutputDirectoryTest, IsKeptToOneRun) {
     const OutputDirectory kept(directory_ / "run", comm_);
-    const auto expected = "run is in use by another run: process " + std::to_string(::getpid()) + " on " + this_host() + " since 20";
-    EXPECT_NE(comm_.broadcast(fault(Earlier::replaced)).find(comm_.broadcast(expected)), std::string::npos) << fault();
+    const auto expected = "run is in use by another run: process " + std::to_string(::getpid()) + " on " +
+                          this_host() + " since 20";
+    EXPECT_NE(comm_.broadcast(fault(Earlier::replaced)).find(comm_.broadcast(expected)), std::string::npos)
+        << fault();
 }
 
 TEST_F(OutputDirectoryTest, NamesTheOtherHostOfARun) {
     put("run/run.lock", "host elsewhere\nprocess 7\nticks 8\nstarted 2026-01-02T03:04:05Z\n");
-    EXPECT_NE(fault().find("run is in use by another run: process 7 on elsewhere since 2026-01-02T03:04:05Z, which cannot be seen from"),
+    EXPECT_NE(fault().find("run is in use by another run: process 7 on elsewhere since 2026-01-02T03:04:05Z, "
+                           "which cannot be seen from"),
               std::string::npos)
         << fault();
     EXPECT_TRUE(is_there("run/run.lock"));
@@ -132,7 +146,8 @@ TEST_F(OutputDirectoryTest, NamesTheOtherHostOfARun) {
 
 TEST_F(OutputDirectoryTest, TakesOverFromARunThatHasEnded) {
     const auto lock = [](pid_t process, const std::string& ticks) {
-        return "host " + this_host() + "\nprocess " + std::to_string(process) + "\nticks " + ticks + "\nstarted 2026-01-02T03:04:05Z\n";
+        return "host " + this_host() + "\nprocess " + std::to_string(process) + "\nticks " + ticks +
+               "\nstarted 2026-01-02T03:04:05Z\n";
     };
     const auto child = ::fork();
     if (child == 0) {
@@ -159,7 +174,8 @@ TEST_F(OutputDirectoryTest, TakesOverFromARunThatHasEnded) {
 
 TEST_F(OutputDirectoryTest, DoesNotGuessAtALockThatSaysNothing) {
     put("run/run.lock", "");
-    EXPECT_NE(fault().find("run.lock does not say by which; remove it when there is none"), std::string::npos) << fault();
+    EXPECT_NE(fault().find("run.lock does not say by which; remove it when there is none"), std::string::npos)
+        << fault();
 }
 
 }  // namespace

@@ -50,8 +50,12 @@ TEST(Progress, WritesALineAtEveryTenthOffTheTerminal) {
         return;
     }
     EXPECT_EQ(std::count(printed.begin(), printed.end(), '\n'), 11);
-    EXPECT_NE(printed.find("  50 %  50.00 of 100.00 us  step 500  projectile 212.4 m/s  30 s left\n"), std::string::npos) << printed;
-    EXPECT_NE(printed.find(" 100 %  100.00 of 100.00 us  step 1000  projectile 212.4 m/s\ndone\n"), std::string::npos) << printed;
+    EXPECT_NE(printed.find("  50 %  50.00 of 100.00 us  step 500  projectile 212.4 m/s  30 s left\n"),
+              std::string::npos)
+        << printed;
+    EXPECT_NE(printed.find(" 100 %  100.00 of 100.00 us  step 1000  projectile 212.4 m/s\ndone\n"),
+              std::string::npos)
+        << printed;
     EXPECT_EQ(content(directory / "run.log"), printed);
 }
 
@@ -59,7 +63,8 @@ TEST(Log, FailsOnAllRanksWithoutItsDirectory) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
     const auto message = message_of<FileError>([&] { Log(directory / "missing", comm); });
-    EXPECT_EQ(message, (directory / "missing/run.log").string() + " cannot be written: No such file or directory");
+    EXPECT_EQ(message,
+              (directory / "missing/run.log").string() + " cannot be written: No such file or directory");
 }
 
 // The file system takes no more than the first line, as a full one may.
@@ -85,7 +90,8 @@ TEST(Log, CountsTheLinesThatItsFileLacks) {
     const auto told = testing::internal::GetCapturedStderr();
     if (comm.rank() != 0) return;
     EXPECT_EQ(content(directory / "run.log"), first + "\n");
-    EXPECT_NE(told.find("warning: a line of the log is lost: " + (directory / "run.log").string() + " cannot be written: File too large\n"),
+    EXPECT_NE(told.find("warning: a line of the log is lost: " + (directory / "run.log").string() +
+                        " cannot be written: File too large\n"),
               std::string::npos)
         << told;
     EXPECT_NE(told.find("warning: run.log lacks 2 lines\n"), std::string::npos) << told;

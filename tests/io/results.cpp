@@ -28,7 +28,8 @@ TEST_F(ResultsTest, FailOnAllRanksWhereTheyCannotBeCreated) {
 TEST_F(ResultsTest, FailBeforeAnythingIsWrittenWhereTheDiskCannotHoldThem) {
     constexpr int frames = 2'000'000'000;
     const auto path = directory_ / "results.vtkhdf";
-    const auto message = message_of<FileError>([&] { const Results results(model_.setup(path, frames), comm_); });
+    const auto message =
+        message_of<FileError>([&] { const Results results(model_.setup(path, frames), comm_); });
     EXPECT_NE(message.find(path.string() + " may grow to"), std::string::npos) << message;
     EXPECT_NE(message.find("with its 2000000000 frames, but only"), std::string::npos) << message;
     EXPECT_FALSE(std::filesystem::exists(path.string() + ".new"));
@@ -52,7 +53,8 @@ TEST_F(ResultsTest, RefuseOtherArraysThanTheirLayout) {
     results.publish();
     auto frame = model_.frame(0);
     frame.cell_data.pop_back();
-    EXPECT_EQ(message_of<std::logic_error>([&] { results.write(frame); }), "the arrays of a frame are not those of the layout");
+    EXPECT_EQ(message_of<std::logic_error>([&] { results.write(frame); }),
+              "the arrays of a frame are not those of the layout");
     results.write(model_.frame(0));
     EXPECT_EQ(results.frames(), 1);
 }

@@ -1,4 +1,5 @@
-// Writes frames of the synthetic model: results_writer PATH FRAMES MAX_FRAMES PROJECTILE(0|1) [cut]. Each rank prints its process id first.
+// Writes frames of the synthetic model: results_writer PATH FRAMES MAX_FRAMES PROJECTILE(0|1) [cut]. Each
+// rank prints its process id first.
 #include <unistd.h>
 
 #include <cstdio>
@@ -18,7 +19,8 @@ int main(int argc, char** argv) try {
     std::fflush(stdout);
 
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const io::SyntheticModel model{.projectile = std::atoi(argv[4]) == 1, .rank = comm.rank(), .ranks = comm.size()};
+    const io::SyntheticModel model{
+        .projectile = std::atoi(argv[4]) == 1, .rank = comm.rank(), .ranks = comm.size()};
     io::Results results(model.setup(argv[1], max_frames), comm);
     results.publish();
     for (int k = 0; k < frames; ++k) results.write(model.frame(k));

@@ -83,7 +83,8 @@ TEST(Summary, KeepsTheOldFileRatherThanWriteWhatIsNotFinite) {
     const auto before = content(directory / "summary.json");
     auto summary = sample();
     summary.wall_seconds[0].mean = std::nan("");
-    EXPECT_EQ(message_of<NotFinite>([&] { write_summary(directory / "summary.json", summary, comm); }), "summary: mean is not finite");
+    EXPECT_EQ(message_of<NotFinite>([&] { write_summary(directory / "summary.json", summary, comm); }),
+              "summary: mean is not finite");
     if (comm.rank() == 0) {
         EXPECT_EQ(content(directory / "summary.json"), before);
     }
@@ -96,7 +97,8 @@ TEST(Summary, IsWrittenWhateverBytesAPathIsMadeOf) {
     summary.reason = "Zw\xf6lf.csv cannot be written";  // Latin-1
     write_summary(directory / "summary.json", summary, comm);
     if (comm.rank() == 0) {
-        EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json"))["reason"], "Zw\ufffdlf.csv cannot be written");
+        EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json"))["reason"],
+                  "Zw\ufffdlf.csv cannot be written");
     }
 }
 

@@ -11,7 +11,12 @@ constexpr std::int64_t elements = (columns - 1) * (rows - 1) * plies;
 }  // namespace
 
 Topology SyntheticModel::topology() const {
-    Topology topology{.nodes = nodes, .elements = elements, .owned_nodes = {}, .owned_elements = {}, .connectivity = {}, .ply = {}};
+    Topology topology{.nodes = nodes,
+                      .elements = elements,
+                      .owned_nodes = {},
+                      .owned_elements = {},
+                      .connectivity = {},
+                      .ply = {}};
     for (std::int64_t id = 0; id < nodes; ++id)
         if (owns(id)) topology.owned_nodes.push_back(id);
     for (std::int64_t id = 0; id < elements; ++id) {
@@ -28,13 +33,23 @@ Topology SyntheticModel::topology() const {
 
 Surface SyntheticModel::surface() const {
     if (!projectile) return {};
-    return {.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}}, .quads = {{0, 1, 2, 3}, {1, 4, 5, 2}}};
+    return {.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}},
+            .quads = {{0, 1, 2, 3}, {1, 4, 5, 2}}};
 }
 
 Frame SyntheticModel::frame(int k) const {
     const auto shape = topology();
-    Frame frame{.time = 0.5 * k, .points = {}, .point_data = {}, .cell_data = {}, .eroded = {}, .projectile = {0, 0.25, -1.0 * k}};
-    Array displacement{.name = "displacement", .components = 3, .integer = false, .values = {}, .projectile = {1.0 * k, 2.0 * k, 3.0 * k}};
+    Frame frame{.time = 0.5 * k,
+                .points = {},
+                .point_data = {},
+                .cell_data = {},
+                .eroded = {},
+                .projectile = {0, 0.25, -1.0 * k}};
+    Array displacement{.name = "displacement",
+                       .components = 3,
+                       .integer = false,
+                       .values = {},
+                       .projectile = {1.0 * k, 2.0 * k, 3.0 * k}};
     Array velocity{.name = "velocity", .components = 3, .integer = false, .values = {}, .projectile = {}};
     for (const auto id : shape.owned_nodes) {
         for (int c = 0; c < 3; ++c) {

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Frames whose every value is a closed form of frame, global id and component, exact in binary; model.py holds the same forms.
+/// Frames whose every value is a closed form of frame, global id and component, exact in binary; model.py
+/// holds the same forms.
 
 #include "weavefront/io/results.hpp"
 
@@ -18,7 +19,9 @@ struct SyntheticModel {
     [[nodiscard]] ResultsSetup setup(const std::filesystem::path& path, int max_frames) const;
 
     /// Whose item a global id is.
-    [[nodiscard]] bool owns(std::int64_t id) const { return static_cast<int>(id * 7919 % 101 % ranks) == rank; }
+    [[nodiscard]] bool owns(std::int64_t id) const {
+        return static_cast<int>(id * 7919 % 101 % ranks) == rank;
+    }
 };
 
 }  // namespace weavefront::io

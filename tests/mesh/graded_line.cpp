@@ -23,9 +23,12 @@ TEST(GradedLine, KeepsItsEndsAndItsFinePointAndNoElementIsLargerThanAskedFor) {
     std::uniform_real_distribution<double> one(0, 1);
     for (int n = 0; n < 1000; ++n) {
         const double low = -0.1 * one(random), high = 0.1 * one(random);
-        const double inside = low + 0.5e-3 + (high - low - 1e-3) * one(random);  // half an element from the ends: none gives way
+        const double inside =
+            low + 0.5e-3 +
+            (high - low - 1e-3) * one(random);  // half an element from the ends: none gives way
         const double fine = n % 10 == 0 || high - low < 1e-3 ? low : n % 10 == 1 ? high : inside;
-        const scene::PanelMesh mesh{.center = 1e-3, .edge = 1e-3 * (1 + 3 * one(random)), .growth = 1 + 0.2 * one(random)};
+        const scene::PanelMesh mesh{
+            .center = 1e-3, .edge = 1e-3 * (1 + 3 * one(random)), .growth = 1 + 0.2 * one(random)};
         const auto line = graded_line(low, high, fine, mesh);
         ASSERT_EQ(line.front(), low);
         ASSERT_EQ(line.back(), high);
@@ -35,7 +38,8 @@ TEST(GradedLine, KeepsItsEndsAndItsFinePointAndNoElementIsLargerThanAskedFor) {
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
             const double size = line[i + 1] - line[i];
             const double asked = asked_size(mesh, i >= i_fine ? i - i_fine : i_fine - 1 - i);
-            ASSERT_LT(size, asked * (1 + 2e-6)) << n;  // a remainder of a millionth of an element makes no element of its own
+            ASSERT_LT(size, asked * (1 + 2e-6))
+                << n;  // a remainder of a millionth of an element makes no element of its own
             // a side is scaled as a whole: no sliver at its end
             const double first = i >= i_fine ? line[i_fine + 1] - fine : fine - line[i_fine - 1];
             ASSERT_NEAR(size / asked, first / mesh.center, 1e-11) << n;
@@ -49,16 +53,19 @@ TEST(GradedLine, NoElementIsThinnerThanAQuarterOfItsNeighbour) {
     std::uniform_real_distribution<double> one(0, 1);
     for (int n = 0; n < 20000; ++n) {
         const double low = -0.1 * one(random), high = low + 0.1 * one(random) + 2e-3, length = high - low;
-        const double from_end = std::pow(10, -8 * one(random)) * length / 2;  // as often within a nanometre as within a millimetre
+        const double from_end = std::pow(10, -8 * one(random)) * length /
+                                2;  // as often within a nanometre as within a millimetre
         const double fine = n % 2 == 0 ? low + from_end : high - from_end;
-        const scene::PanelMesh mesh{
-            .center = 1e-3, .edge = 1e-3 * (1 + 9 * one(random)), .growth = n % 3 == 0 ? 1 + 30 * one(random) : 1.08};
+        const scene::PanelMesh mesh{.center = 1e-3,
+                                    .edge = 1e-3 * (1 + 9 * one(random)),
+                                    .growth = n % 3 == 0 ? 1 + 30 * one(random) : 1.08};
         const auto line = graded_line(low, high, fine, mesh);
         ASSERT_EQ(line.front(), low);
         ASSERT_EQ(line.back(), high);
         for (std::size_t i = 2; i < line.size(); ++i) {
             const double before = line[i - 1] - line[i - 2], size = line[i] - line[i - 1];
-            ASSERT_GE(std::min(before, size), 0.25 * (1 - 1e-5) * std::max(before, size)) << n;  // a remainder of a millionth is no element
+            ASSERT_GE(std::min(before, size), 0.25 * (1 - 1e-5) * std::max(before, size))
+                << n;  // a remainder of a millionth is no element
         }
     }
 }
@@ -83,7 +90,8 @@ TEST(GradedLine, OfEqualElementsHasAsManyAsFit) {
     // whatever the rounding of their sum
     for (const double size : {1e-3, 0.7e-3, 0.3e-3, 1.1e-3})
         for (int n = 1; n < 300; ++n)
-            ASSERT_EQ(graded_line(0, n * size, 0, {.center = size, .edge = size, .growth = 1}).size(), n + 1U) << size;
+            ASSERT_EQ(graded_line(0, n * size, 0, {.center = size, .edge = size, .growth = 1}).size(), n + 1U)
+                << size;
     EXPECT_EQ(graded_line(-0.1, 0.1, 0, {.center = 1e-3, .edge = 1e-3, .growth = 1}).size(), 201U);
 }
 

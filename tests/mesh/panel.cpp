@@ -51,7 +51,8 @@ TEST(Panel, IsFinestUnderTheProjectile) {
     const auto finest = [](const std::vector<double>& line, double at) {
         double size = 1, where = 0;
         for (std::size_t i = 0; i + 1 < line.size(); ++i)
-            if (line[i + 1] - line[i] < size) size = line[i + 1] - line[i], where = (line[i] + line[i + 1]) / 2;
+            if (line[i + 1] - line[i] < size)
+                size = line[i + 1] - line[i], where = (line[i] + line[i + 1]) / 2;
         return std::abs(where - at) < size;
     };
     EXPECT_TRUE(finest(panel.x, 0.004));
@@ -63,7 +64,9 @@ TEST(Panel, EdgesHoldWhatTheyAreAskedTo) {
     scene.target->edges = {scene::Edge::sliding, scene::Edge::fixed};
     const auto panel = make_panel(scene);
     constexpr int x = 1, y = 2, z = 4;
-    const auto held = [&](std::int64_t i, std::int64_t j) { return panel.supports(j * (panel.columns_x() + 1) + i); };
+    const auto held = [&](std::int64_t i, std::int64_t j) {
+        return panel.supports(j * (panel.columns_x() + 1) + i);
+    };
     for (const std::int64_t i : {std::int64_t{0}, panel.columns_x()}) {
         EXPECT_EQ(held(i, 1), z);
         EXPECT_EQ(held(i, 0), x | y | z);

@@ -19,7 +19,8 @@ TEST(Part, PartsCoverThePanelOnceAndAgreeWithIt) {
     for (int rank = 0; rank < 5; ++rank) {
         std::vector<std::int64_t> columns;
         for (std::int64_t c = 0; c < panel.columns(); ++c)
-            if (c * c % 11 % 5 == rank) columns.push_back(c);  // scattered, so that ids and indices have nothing in common
+            if (c * c % 11 % 5 == rank)
+                columns.push_back(c);  // scattered, so that ids and indices have nothing in common
         const auto part = mesh::make_part(panel, columns);
         ASSERT_TRUE(std::ranges::is_sorted(part.node_ids));
         ASSERT_TRUE(std::ranges::is_sorted(part.element_ids));
@@ -36,7 +37,8 @@ TEST(Part, PartsCoverThePanelOnceAndAgreeWithIt) {
                 ASSERT_EQ(part.supports[local], panel.supports(footprint[a]));
             }
         }
-        for (std::size_t n = 0; n < part.node_ids.size(); ++n) ASSERT_EQ(part.local_node(part.node_ids[n]), static_cast<std::int32_t>(n));
+        for (std::size_t n = 0; n < part.node_ids.size(); ++n)
+            ASSERT_EQ(part.local_node(part.node_ids[n]), static_cast<std::int32_t>(n));
         elements.insert(part.element_ids.begin(), part.element_ids.end());
         nodes.insert(part.node_ids.begin(), part.node_ids.end());
     }

@@ -62,7 +62,8 @@ TEST(Communicator, NamesWhatMpiRefuses) {
     EXPECT_THROW(parallel::check(MPI_ERR_RANK), std::runtime_error);
 }
 
-/// What rank `from` tells rank `to`: as many items as their ranks say, so that lengths differ and some are empty.
+/// What rank `from` tells rank `to`: as many items as their ranks say, so that lengths differ and some are
+/// empty.
 std::vector<std::int64_t> message(int from, int to) {
     return std::vector<std::int64_t>(static_cast<std::size_t>((2 * from + 3 * to) % 4), 100 * from + to);
 }
@@ -73,14 +74,17 @@ TEST(AllToAll, DeliversEachMessageToItsRank) {
     for (int r = 0; r < comm.size(); ++r) outgoing.push_back(message(comm.rank(), r));
     const auto incoming = parallel::all_to_all(comm, outgoing);
     ASSERT_EQ(incoming.size(), outgoing.size());
-    for (int r = 0; r < comm.size(); ++r) EXPECT_EQ(incoming[static_cast<std::size_t>(r)], message(r, comm.rank()));
+    for (int r = 0; r < comm.size(); ++r)
+        EXPECT_EQ(incoming[static_cast<std::size_t>(r)], message(r, comm.rank()));
 }
 
 TEST(AllGather, IsInRankOrder) {
     const Communicator comm(MPI_COMM_WORLD);
-    const auto values = parallel::all_gather(comm, std::array<double, 2>{comm.rank() + 0.5, -1.0 * comm.rank()});
+    const auto values =
+        parallel::all_gather(comm, std::array<double, 2>{comm.rank() + 0.5, -1.0 * comm.rank()});
     ASSERT_EQ(values.size(), static_cast<std::size_t>(comm.size()));
-    for (int r = 0; r < comm.size(); ++r) EXPECT_EQ(values[static_cast<std::size_t>(r)], (std::array<double, 2>{r + 0.5, -1.0 * r}));
+    for (int r = 0; r < comm.size(); ++r)
+        EXPECT_EQ(values[static_cast<std::size_t>(r)], (std::array<double, 2>{r + 0.5, -1.0 * r}));
 }
 
 }  // namespace

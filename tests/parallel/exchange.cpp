@@ -20,8 +20,8 @@ using parallel::Neighbour;
 using parallel::SendList;
 using Triple = std::array<std::int64_t, 3>;
 
-/// Ranks in a row, each with nodes 0..3. Its nodes 2, 3 are the nodes 0, 1 of the next rank, listed back to front to show that the order
-/// of a neighbour, not of the indices, pairs them.
+/// Ranks in a row, each with nodes 0..3. Its nodes 2, 3 are the nodes 0, 1 of the next rank, listed back to
+/// front to show that the order of a neighbour, not of the indices, pairs them.
 std::vector<Neighbour> row(const Communicator& comm) {
     std::vector<Neighbour> neighbours;
     if (comm.rank() > 0) neighbours.push_back({comm.rank() - 1, {1, 0}});
@@ -39,7 +39,8 @@ TEST(Exchange, SumsWhatTheOthersHeldBefore) {
         for (int node = 0; node < 4; ++node) values.push_back(value(comm.rank(), node));
         exchange.sum(comm, values);
         for (int node = 0; node < 4; ++node) {
-            const int other = node < 2 ? comm.rank() - 1 : comm.rank() + 1, there = node < 2 ? node + 2 : node - 2;
+            const int other = node < 2 ? comm.rank() - 1 : comm.rank() + 1,
+                      there = node < 2 ? node + 2 : node - 2;
             auto expected = value(comm.rank(), node);
             if (other >= 0 && other < comm.size())
                 for (std::size_t i = 0; i < 3; ++i) expected[i] += value(other, there)[i];
@@ -69,7 +70,8 @@ TEST(Exchange, LeavesValuesFreeBetweenItsHalves) {
     exchange.start(comm, values);
     values[0] = {1000, 0, 0};
     exchange.finish(values);
-    EXPECT_EQ(values[0], (Triple{1000 + comm.size() - 1, comm.size() * (comm.size() - 1) / 2 - comm.rank(), 0}));
+    EXPECT_EQ(values[0],
+              (Triple{1000 + comm.size() - 1, comm.size() * (comm.size() - 1) / 2 - comm.rank(), 0}));
 }
 
 /// All with all, rank r with rank s over (r + s) `size` + 1 nodes, which only these two hold.
@@ -78,7 +80,8 @@ std::vector<Neighbour> all_with_all(const Communicator& comm, std::int32_t size)
     std::int32_t node = 0;
     for (int r = 0; r < comm.size(); ++r) {
         if (r == comm.rank()) continue;
-        std::vector<std::int32_t> nodes(static_cast<std::size_t>(size) * static_cast<std::size_t>(r + comm.rank()) + 1);
+        std::vector<std::int32_t> nodes(
+            static_cast<std::size_t>(size) * static_cast<std::size_t>(r + comm.rank()) + 1);
         std::iota(nodes.begin(), nodes.end(), node);
         node = nodes.back() + 1;
         neighbours.emplace_back(r, nodes);
@@ -86,8 +89,8 @@ std::vector<Neighbour> all_with_all(const Communicator& comm, std::int32_t size)
     return neighbours;
 }
 
-/// All with all over nodes 0 to 11 of each, which are the same for all. Rank r holds those from 3 r on, three of its own; it sends what it
-/// has of the others where it is not zero.
+/// All with all over nodes 0 to 11 of each, which are the same for all. Rank r holds those from 3 r on, three
+/// of its own; it sends what it has of the others where it is not zero.
 std::vector<Neighbour> with_ghosts(const Communicator& comm) {
     const auto sent_by = [](int rank) {
         SendList list;
@@ -119,7 +122,8 @@ TEST(Exchange, SumsAlsoWhatTravelsOnlyWhereItIsNotZero) {
         for (int node = 0; node < 12; ++node) {
             values.push_back(value(comm.rank(), node, turn));
             for (int r = 0; r < comm.size(); ++r)
-                for (std::size_t i = 0; i < 3; ++i) expected[static_cast<std::size_t>(node)][i] += value(r, node, turn)[i];
+                for (std::size_t i = 0; i < 3; ++i)
+                    expected[static_cast<std::size_t>(node)][i] += value(r, node, turn)[i];
         }
         auto same = values;
         by_messages.sum(comm, values);
@@ -137,10 +141,12 @@ TEST(Exchange, SumsByMailWhatItSumsByMessages) {
         const auto neighbours = all_with_all(comm, size);
         Exchange<Triple> by_messages(neighbours), in_memory(neighbours);
         in_memory.use(comm, shared_memory);
-        const std::size_t nodes = neighbours.empty() ? 1 : static_cast<std::size_t>(neighbours.back().out.nodes.back()) + 1;
+        const std::size_t nodes =
+            neighbours.empty() ? 1 : static_cast<std::size_t>(neighbours.back().out.nodes.back()) + 1;
         const auto values = [&](int turn) {
             std::vector<Triple> all;
-            for (std::size_t n = 0; n < nodes; ++n) all.push_back({static_cast<std::int64_t>(n) + 1000 * turn, comm.rank(), turn * turn});
+            for (std::size_t n = 0; n < nodes; ++n)
+                all.push_back({static_cast<std::int64_t>(n) + 1000 * turn, comm.rank(), turn * turn});
             return all;
         };
         constexpr int turns = 20;

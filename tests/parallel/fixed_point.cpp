@@ -79,7 +79,8 @@ TEST(FixedPoint, RepresentsToAQuantum) {
     const FixedPoint scale(1e5);
     EXPECT_LT(scale.quantum(), 1e5 * 0x1p-43);
     EXPECT_EQ(scale.to(1), scale.quantum());
-    for (const double value : random_terms(1e5)) ASSERT_LE(std::abs(scale.to(scale.from(value)) - value), scale.quantum() / 2);
+    for (const double value : random_terms(1e5))
+        ASSERT_LE(std::abs(scale.to(scale.from(value)) - value), scale.quantum() / 2);
     EXPECT_EQ(scale.from(-12345.678), -scale.from(12345.678));  // so that action and reaction cancel
 }
 

@@ -27,7 +27,8 @@ TEST(Decomposition, IsBalancedAndCompact) {
         const auto decomposition = decompose(panel, costs, parts);
         const auto imbalance = partition::imbalance(decomposition, costs);
         // Columns under the shot cost many times what others do: a part may have half of one too much.
-        const double heaviest = *std::ranges::max_element(costs), all = std::accumulate(costs.begin(), costs.end(), 0.0);
+        const double heaviest = *std::ranges::max_element(costs),
+                     all = std::accumulate(costs.begin(), costs.end(), 0.0);
         EXPECT_LT(imbalance, 1.05 + heaviest / 2 / (all / parts)) << parts;
         EXPECT_GE(imbalance, 1) << parts;
         // compact parts of n columns have about 4 sqrt(n) faces; scattered ones would have 4 n
@@ -53,7 +54,8 @@ TEST(Decomposition, LeavesNoPartEmptyAndNoColumnOut) {
             const auto own = decomposition.columns_of(part);
             ASSERT_FALSE(own.empty()) << part << " of " << parts;
             ASSERT_TRUE(std::ranges::is_sorted(own));
-            for (const auto column : own) ASSERT_EQ(decomposition.owner[static_cast<std::size_t>(column)], part);
+            for (const auto column : own)
+                ASSERT_EQ(decomposition.owner[static_cast<std::size_t>(column)], part);
             columns += own.size();
         }
         ASSERT_EQ(columns, weights.size());
@@ -80,7 +82,8 @@ TEST(Decomposition, ItsQualityIsCountedByHand) {
     // 0 1 1
     const partition::Decomposition decomposition{2, {0, 0, 1, 0, 1, 1}};
     EXPECT_EQ(partition::cut_edges(decomposition, panel), 3);
-    EXPECT_DOUBLE_EQ(partition::imbalance(decomposition, std::vector<std::int32_t>{1, 1, 1, 1, 1, 4}), 6 / 4.5);
+    EXPECT_DOUBLE_EQ(partition::imbalance(decomposition, std::vector<std::int32_t>{1, 1, 1, 1, 1, 4}),
+                     6 / 4.5);
 }
 
 /// The first example at 267 m/s, whose contact reaches most of the target within the run.
@@ -105,12 +108,13 @@ TEST(RunDecomposition, IsBalancedAtEveryTimeOfTheRun) {
     for (const int parts : {2, 3, 4, 8}) {
         const auto decomposition = partition::decompose_for_run(scene, panel, parts, reach);
         const auto forecast = partition::forecast(scene, panel, decomposition, reach, machine);
-        const auto of_means =
-            partition::forecast(scene, panel, decompose(panel, partition::column_costs(panel, scene), parts), reach, machine);
+        const auto of_means = partition::forecast(
+            scene, panel, decompose(panel, partition::column_costs(panel, scene), parts), reach, machine);
         EXPECT_LT(forecast.element_imbalance, 1.1) << parts;
         // What balances the whole run does not balance its moments.
         EXPECT_LT(2 * (forecast.cost_imbalance - 1), of_means.cost_imbalance - 1) << parts;
-        EXPECT_EQ(decomposition.owner, partition::decompose_for_run(scene, panel, parts, reach).owner) << parts;
+        EXPECT_EQ(decomposition.owner, partition::decompose_for_run(scene, panel, parts, reach).owner)
+            << parts;
     }
 }
 
@@ -120,16 +124,19 @@ TEST(RunDecomposition, BalancesColumnsWhereNothingSpreads) {
     const auto panel = mesh::make_panel(scene);
     for (const int parts : {1, 4, static_cast<int>(panel.columns())}) {
         const auto decomposition = partition::decompose_for_run(scene, panel, parts, 0);
-        EXPECT_EQ(decomposition.owner, decompose(panel, partition::column_costs(panel, scene), parts).owner) << parts;
+        EXPECT_EQ(decomposition.owner, decompose(panel, partition::column_costs(panel, scene), parts).owner)
+            << parts;
     }
-    EXPECT_THROW(partition::decompose_for_run(scene, panel, static_cast<int>(panel.columns()) + 1, 0), std::invalid_argument);
+    EXPECT_THROW(partition::decompose_for_run(scene, panel, static_cast<int>(panel.columns()) + 1, 0),
+                 std::invalid_argument);
 }
 
 TEST(ColumnCosts, ContactCountsUnderTheShotOnly) {
     auto scene = graded_target();
     const auto panel = mesh::make_panel(scene);
     const auto costs = partition::column_costs(panel, scene);
-    const auto middle = static_cast<std::size_t>(panel.columns_y() / 2 * panel.columns_x() + panel.columns_x() / 2);
+    const auto middle =
+        static_cast<std::size_t>(panel.columns_y() / 2 * panel.columns_x() + panel.columns_x() / 2);
     EXPECT_GT(costs[middle], 2 * costs[0]);
     scene.projectile.reset();
     const auto still = partition::column_costs(panel, scene);

@@ -45,7 +45,8 @@ TEST(Forecast, AddsUpTheSlowestRank) {
     EXPECT_DOUBLE_EQ(alone.seconds, 4 * 100 + 10 * 10);
     EXPECT_DOUBLE_EQ(partition::efficiency(alone, alone), 1);
 
-    // Half way to three ranks crowding is 1.25. Two nodes of 24 bytes are shared; 1.2 reductions over two ranks.
+    // Half way to three ranks crowding is 1.25. Two nodes of 24 bytes are shared; 1.2 reductions over two
+    // ranks.
     const auto two = partition::forecast(scene, row(), {2, {0, 0, 0, 1}}, 0, machine());
     EXPECT_DOUBLE_EQ(two.seconds, 1.25 * (3 * 100 + 8 * 10) + 3 + 2 * 24 / 0.5 + 1.2 * 2);
     EXPECT_DOUBLE_EQ(two.element_imbalance, 1.5);
@@ -61,7 +62,8 @@ TEST(Forecast, AddsUpTheSlowestRank) {
     EXPECT_DOUBLE_EQ(four.seconds, 1.5 * (100 + 4 * 10) + 2 * 3 + 2 * 2 * 24 / 0.5 + 1.2 * 2 * 2);
 }
 
-/// c^2 = E1 S/(s m) = 8 m2/s2 and V = 1 m/s, so that the zone grows at 0.48 m/s from a radius of 0.5 m, in 5 s to 2.9 m.
+/// c^2 = E1 S/(s m) = 8 m2/s2 and V = 1 m/s, so that the zone grows at 0.48 m/s from a radius of 0.5 m, in 5
+/// s to 2.9 m.
 scene::Scene slow_impact() {
     scene::Scene scene;
     scene.fabrics.resize(1);
@@ -99,11 +101,13 @@ TEST(Forecast, TakesTheMeanOfContactOverTheRun) {
     const auto scene = slow_impact();
     auto panel = row();
     panel.plies.resize(2);
-    // Centres lie 0.71, 1.58, 2.55 and 3.54 m away: of the 16 moments the zone holds them at all but the first, at 9, at 2, and at none.
-    // The first is within the diameter of 1 m: it is pressed together.
+    // Centres lie 0.71, 1.58, 2.55 and 3.54 m away: of the 16 moments the zone holds them at all but the
+    // first, at 9, at 2, and at none. The first is within the diameter of 1 m: it is pressed together.
     const auto f = partition::forecast(scene, panel, {1, {0, 0, 0, 0}}, 0, machine());
     EXPECT_NEAR(f.seconds,
-                2 * (4 * (100 + 7 + 0.1 / std::sqrt(8) * 5000) + 1000 * (15 + 9 + 2) / 16.0 + 300 * (1 - std::sqrt(0.5) / 2)) + 20 * 10,
+                2 * (4 * (100 + 7 + 0.1 / std::sqrt(8) * 5000) + 1000 * (15 + 9 + 2) / 16.0 +
+                     300 * (1 - std::sqrt(0.5) / 2)) +
+                    20 * 10,
                 1e-9);
 }
 

@@ -35,7 +35,8 @@ std::map<Pair, std::vector<std::int64_t>> lists(const Plans& all) {
     for (std::size_t rank = 0; rank < all.plans.size(); ++rank)
         for (const auto& neighbour : all.plans[rank].neighbours)
             for (const auto node : neighbour.nodes)
-                shared[{static_cast<int>(rank), neighbour.rank}].push_back(all.parts[rank].node_ids[static_cast<std::size_t>(node)]);
+                shared[{static_cast<int>(rank), neighbour.rank}].push_back(
+                    all.parts[rank].node_ids[static_cast<std::size_t>(node)]);
     return shared;
 }
 
@@ -43,11 +44,13 @@ void expect_consistent(const mesh::Panel& panel, const partition::Decomposition&
     const auto all = plan_all(panel, decomposition);
     const auto shared = lists(all);
     for (int a = 0; a < decomposition.parts; ++a) {
-        ASSERT_TRUE(std::ranges::is_sorted(all.plans[static_cast<std::size_t>(a)].neighbours, {}, &partition::Neighbour::rank));
+        ASSERT_TRUE(std::ranges::is_sorted(all.plans[static_cast<std::size_t>(a)].neighbours, {},
+                                           &partition::Neighbour::rank));
         for (int b = 0; b < decomposition.parts; ++b) {
             if (a == b) continue;
             std::vector<std::int64_t> common;
-            std::ranges::set_intersection(all.parts[static_cast<std::size_t>(a)].node_ids, all.parts[static_cast<std::size_t>(b)].node_ids,
+            std::ranges::set_intersection(all.parts[static_cast<std::size_t>(a)].node_ids,
+                                          all.parts[static_cast<std::size_t>(b)].node_ids,
                                           std::back_inserter(common));
             const auto listed = shared.find({a, b});
             ASSERT_EQ(listed == shared.end(), common.empty());
@@ -68,7 +71,8 @@ TEST(HaloPlan, IsSymmetricAndEachNodeIsOwnedOnce) {
     scene.target->plies.resize(2);
     const auto panel = mesh::make_panel(scene);
     const std::vector<std::int32_t> weights(static_cast<std::size_t>(panel.columns()), 1);
-    for (const int parts : {1, 2, 3, 7, 16}) expect_consistent(panel, partition::decompose(panel, weights, parts));
+    for (const int parts : {1, 2, 3, 7, 16})
+        expect_consistent(panel, partition::decompose(panel, weights, parts));
 }
 
 TEST(HaloPlan, HoldsForAnyDecomposition) {
@@ -79,7 +83,8 @@ TEST(HaloPlan, HoldsForAnyDecomposition) {
     std::mt19937_64 random(3);
     for (int n = 0; n < 50; ++n) {
         partition::Decomposition decomposition{4, {}};
-        for (std::int64_t c = 0; c < panel.columns(); ++c) decomposition.owner.push_back(static_cast<std::int32_t>(random() % 4));
+        for (std::int64_t c = 0; c < panel.columns(); ++c)
+            decomposition.owner.push_back(static_cast<std::int32_t>(random() % 4));
         expect_consistent(panel, decomposition);
     }
 }

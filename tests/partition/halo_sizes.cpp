@@ -31,7 +31,8 @@ TEST(HaloSizes, CountsSharedNodes) {
 }
 
 TEST(HaloSizes, CountsGhostsWithinReachOfAnyColumn) {
-    // Each part sees the four nodes that it does not hold: it is sent the forces on those, and on the shared ones.
+    // Each part sees the four nodes that it does not hold: it is sent the forces on those, and on the shared
+    // ones.
     for (const auto& part : partition::halo_sizes(six_columns(), two_parts, 0.5)) {
         EXPECT_EQ(part.ghosts, 4 * 2);
         EXPECT_EQ(part.messages, 1);
@@ -46,8 +47,8 @@ TEST(HaloSizes, CountsGhostsWithinReachOfAnyColumn) {
     EXPECT_EQ(sizes[1].ghosts, 4 * 2);
     EXPECT_EQ(sizes[0].neighbours, 1);
     EXPECT_EQ(sizes[0].messages, 2);
-    // Part 0 sends its outer nodes to part 1, its inner ones to 1 and to 2, whose ghosts they are. It is sent its inner ones by part 1,
-    // and the far ones of column 1, its ghosts, by both who hold them.
+    // Part 0 sends its outer nodes to part 1, its inner ones to 1 and to 2, whose ghosts they are. It is sent
+    // its inner ones by part 1, and the far ones of column 1, its ghosts, by both who hold them.
     EXPECT_EQ(sizes[0].bytes_sent, (2 + 2 * 2) * 2 * 24);
     EXPECT_EQ(sizes[0].bytes_received, (2 + 2 * 2) * 2 * 24);
     // The bounding box of part 0, an L, holds all columns; the one in its far corner is near to neither leg.

@@ -113,7 +113,9 @@ output: {interval: 0, history: 1 us}
     EXPECT_EQ(scene.output.fields, (std::vector{Field::displacement, Field::stress, Field::broken}));
 }
 
-TEST(Example, ContactAtNodesHasNoSpacing) { EXPECT_FALSE(parse(example_with("spacing: 0.25 mm    ", "spacing: nodes  ")).contact.spacing); }
+TEST(Example, ContactAtNodesHasNoSpacing) {
+    EXPECT_FALSE(parse(example_with("spacing: 0.25 mm    ", "spacing: nodes  ")).contact.spacing);
+}
 
 TEST(Example, FabricsAloneServeCellAndYarn) {
     const std::string fabrics = example.substr(0, example.find("target:"));
@@ -130,7 +132,9 @@ TEST(Example, FileIsReadAndNamedInMessages) {
         read_scene(path);
         ADD_FAILURE() << "a negative mass was accepted";
     } catch (const InputError& error) {
-        EXPECT_TRUE(error.messages().at(0).starts_with(path.string() + ":20:77: projectile.mass: found '-1 g'")) << error.what();
+        EXPECT_TRUE(
+            error.messages().at(0).starts_with(path.string() + ":20:77: projectile.mass: found '-1 g'"))
+            << error.what();
     }
     std::filesystem::remove(path);
     try {

@@ -49,7 +49,8 @@ inline Scene parse(const std::string& text, const std::vector<std::string>& over
 }
 
 /// What parsing says is wrong; empty: nothing.
-inline std::vector<std::string> findings(const std::string& text, const std::vector<std::string>& overrides = {},
+inline std::vector<std::string> findings(const std::string& text,
+                                         const std::vector<std::string>& overrides = {},
                                          Need need = Need::impact) {
     try {
         parse_scene(text, "s.yaml", overrides, need);

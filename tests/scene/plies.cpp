@@ -18,8 +18,9 @@ std::string two_fabrics() {
 }
 
 TEST(Plies, ListGivesEachItsFabricAngleAndDistance) {
-    const Scene scene = parse(two_fabrics(), {"target.plies=[{fabric: felt}, {fabric: kevlar129, angle: 90 deg, spacing: 0.5 mm}, "
-                                              "{fabric: kevlar129, gap: 0.1 mm}, {fabric: felt, gap: 0}]"});
+    const Scene scene = parse(
+        two_fabrics(), {"target.plies=[{fabric: felt}, {fabric: kevlar129, angle: 90 deg, spacing: 0.5 mm}, "
+                        "{fabric: kevlar129, gap: 0.1 mm}, {fabric: felt, gap: 0}]"});
     const std::vector<Ply>& plies = scene.target->plies;
     ASSERT_EQ(plies.size(), 4U);
     EXPECT_EQ(scene.fabrics[static_cast<std::size_t>(plies[0].fabric)].name, "felt");
@@ -39,11 +40,13 @@ TEST(Plies, GapOfEqualPlies) {
 
 TEST(Plies, PliesThatTouchAreAccepted) {
     EXPECT_TRUE(findings(two_fabrics(), {"target.plies={count: 3, fabric: felt, spacing: 0.4 mm}"}).empty());
-    EXPECT_EQ(findings(two_fabrics(), {"target.plies={count: 3, fabric: felt, spacing: 0.39 mm}"}).size(), 1U);
+    EXPECT_EQ(findings(two_fabrics(), {"target.plies={count: 3, fabric: felt, spacing: 0.39 mm}"}).size(),
+              1U);
 }
 
 TEST(Plies, TouchWhereNothingIsSaid) {
-    EXPECT_DOUBLE_EQ(parse(two_fabrics(), {"target.plies={count: 3, fabric: felt}"}).target->plies[2].z, 0.8e-3);
+    EXPECT_DOUBLE_EQ(parse(two_fabrics(), {"target.plies={count: 3, fabric: felt}"}).target->plies[2].z,
+                     0.8e-3);
     const Scene scene = parse(two_fabrics(), {"target.plies=[{fabric: felt}, {fabric: kevlar129}]"});
     EXPECT_DOUBLE_EQ(scene.target->plies[1].z, 0.3e-3);
 }
@@ -51,7 +54,8 @@ TEST(Plies, TouchWhereNothingIsSaid) {
 // A fabric of 204 g/m2 and 1440 kg/m3 is 0.1417 mm of fibre; its yarns are 0.909 mm apart.
 TEST(ContactThickness, IsThatOfTheFabricWhereItsCrimpIsGeometric) {
     const auto thickness = [](const char* of_crimp) {
-        return parse(example, {std::string("fabrics.kevlar129.thickness=") + of_crimp, "target.plies.spacing="})
+        return parse(example,
+                     {std::string("fabrics.kevlar129.thickness=") + of_crimp, "target.plies.spacing="})
             .fabrics[0]
             .contact_thickness;
     };
@@ -64,15 +68,21 @@ TEST(ContactThickness, IsThatOfTheFabricWhereItsCrimpIsGeometric) {
 }
 
 TEST(ContactSpacing, IsFineEnoughForTheProjectile) {
-    const auto spacing = [](const std::vector<std::string>& overrides) { return parse(example, overrides).contact.spacing; };
+    const auto spacing = [](const std::vector<std::string>& overrides) {
+        return parse(example, overrides).contact.spacing;
+    };
     const std::string unsaid = "contact.spacing=";
     EXPECT_EQ(spacing({unsaid}), 0.25e-3);
     EXPECT_DOUBLE_EQ(*spacing({unsaid, "projectile.diameter=1.6 mm"}), 0.1e-3);
-    EXPECT_DOUBLE_EQ(*spacing({unsaid, "projectile.diameter=0.016 mm", "projectile.edge_radius=0", "target.mesh.edge=3 mm"}), 0.03e-3);
+    EXPECT_DOUBLE_EQ(*spacing({unsaid, "projectile.diameter=0.016 mm", "projectile.edge_radius=0",
+                               "target.mesh.edge=3 mm"}),
+                     0.03e-3);
     EXPECT_EQ(spacing({"contact.spacing=0.5 mm", "projectile.diameter=1.6 mm"}), 0.5e-3);
 }
 
-TEST(Plies, OnePlyNeedsNoSpacing) { EXPECT_EQ(parse(example, {"target.plies={count: 1, fabric: kevlar129}"}).target->plies.size(), 1U); }
+TEST(Plies, OnePlyNeedsNoSpacing) {
+    EXPECT_EQ(parse(example, {"target.plies={count: 1, fabric: kevlar129}"}).target->plies.size(), 1U);
+}
 
 }  // namespace
 }  // namespace weavefront::scene::test

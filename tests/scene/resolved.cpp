@@ -17,12 +17,14 @@ const std::vector<std::string> awkward{
     "fabrics.kevlar129.lateral={modulus: 7.4 GPa, shear_modulus: 2.5 GPa, transition: 3.1 deg}",
     "fabrics.kevlar129.hourglass=0.07",
     "fabrics.kevlar129.contact_thickness=0.00567 in",
-    "target.plies=[{fabric: kevlar129, angle: 30 deg}, {fabric: kevlar129, gap: 0.003 in}, {fabric: kevlar129, angle: -10 deg, gap: 0.1 "
+    "target.plies=[{fabric: kevlar129, angle: 30 deg}, {fabric: kevlar129, gap: 0.003 in}, {fabric: "
+    "kevlar129, angle: -10 deg, gap: 0.1 "
     "mm}]",
     "target.symmetry=[]",
     "target.edges={x: sliding, y: free}",
     "target.mesh.growth=1.1",
-    "projectile={shape: cylinder, diameter: 0.21 in, edge_radius: 0.01 in, mass: 44 grain, position: [1 mm, 0.1 in, -0.2 in], velocity: "
+    "projectile={shape: cylinder, diameter: 0.21 in, edge_radius: 0.01 in, mass: 44 grain, position: [1 mm, "
+    "0.1 in, -0.2 in], velocity: "
     "[1 ft/s, -2 km/h, 1404 ft/s]}",
     "contact={spacing: nodes, projectile: {stiffness: 1e3 ksi/in, unloading: 3, damping: 0.1}, plies: {}}",
     "damping=3 1/min",
@@ -118,7 +120,9 @@ TEST(Resolved, HashIsOfTheMeaningNotOfTheWording) {
     EXPECT_EQ(hash.size(), 16U);
     EXPECT_EQ(hash, parse(example_with("0.909 mm", "909 um")).hash);
     EXPECT_EQ(hash, parse(example_with("    friction: 0.11  ", "    friction: 11 %   # 11 of 100")).hash);
-    EXPECT_EQ(hash, parse(example, {"output.fields=[broken, stress, displacement]", "limits.energy_error=5 %"}).hash);
+    EXPECT_EQ(
+        hash,
+        parse(example, {"output.fields=[broken, stress, displacement]", "limits.energy_error=5 %"}).hash);
 }
 
 // Each override of the awkward scene changes the hash, so each of its keys is written out.
@@ -128,7 +132,9 @@ TEST(Resolved, HashChangesWithEveryKey) {
     for (const std::string& override : awkward) {
         overrides.push_back(override);
         if (override.starts_with("target.plies")) overrides.push_back("target.symmetry=[]");
-        EXPECT_TRUE(hashes.insert(parse(example, overrides).hash).second || override.starts_with("target.symmetry")) << override;
+        EXPECT_TRUE(hashes.insert(parse(example, overrides).hash).second ||
+                    override.starts_with("target.symmetry"))
+            << override;
     }
 }
 

@@ -25,12 +25,19 @@ std::string fault(const std::string& text) {
 
 TEST(Text, WhatIsNotUtf8IsRefusedWithItsLineColumnAndByte) {
     EXPECT_EQ(fault("a\nSto\xDF auf"), "t:2:4: found the byte 0xDF ('ß' in Latin-1), allowed text in UTF-8");
-    EXPECT_EQ(fault("Zw\xC3\xB6lf \xFC"), "t:1:7: found the byte 0xFC ('ü' in Latin-1), allowed text in UTF-8");  // columns are characters
+    EXPECT_EQ(
+        fault("Zw\xC3\xB6lf \xFC"),
+        "t:1:7: found the byte 0xFC ('ü' in Latin-1), allowed text in UTF-8");  // columns are characters
     EXPECT_EQ(fault("\x80"), "t:1:1: found the byte 0x80, allowed text in UTF-8");
-    EXPECT_EQ(fault("\xE2\x82"), "t:1:1: found the byte 0xE2 ('â' in Latin-1), allowed text in UTF-8");          // cut short
-    EXPECT_EQ(fault("\xC0\xAF"), "t:1:1: found the byte 0xC0 ('À' in Latin-1), allowed text in UTF-8");          // longer than need be
-    EXPECT_EQ(fault("\xED\xA0\x80"), "t:1:1: found the byte 0xED ('í' in Latin-1), allowed text in UTF-8");      // half of a surrogate pair
-    EXPECT_EQ(fault("\xF4\x90\x80\x80"), "t:1:1: found the byte 0xF4 ('ô' in Latin-1), allowed text in UTF-8");  // beyond Unicode
+    EXPECT_EQ(fault("\xE2\x82"),
+              "t:1:1: found the byte 0xE2 ('â' in Latin-1), allowed text in UTF-8");  // cut short
+    EXPECT_EQ(fault("\xC0\xAF"),
+              "t:1:1: found the byte 0xC0 ('À' in Latin-1), allowed text in UTF-8");  // longer than need be
+    EXPECT_EQ(
+        fault("\xED\xA0\x80"),
+        "t:1:1: found the byte 0xED ('í' in Latin-1), allowed text in UTF-8");  // half of a surrogate pair
+    EXPECT_EQ(fault("\xF4\x90\x80\x80"),
+              "t:1:1: found the byte 0xF4 ('ô' in Latin-1), allowed text in UTF-8");  // beyond Unicode
     EXPECT_EQ(fault("Zwölf Lagen, 30° – 漢字 😀\t\r\n"), "");
 }
 
@@ -52,12 +59,14 @@ TEST(Text, MessagesShowWhatCannotBeSeenAndShortenWhatIsLong) {
 TEST(Text, NumbersAreDecimalAndFinite) {
     EXPECT_EQ(finite_number("+1.5e3"), 1500);
     EXPECT_EQ(finite_number(" -2\u00a0"), -2);
-    for (const char* text : {"", " ", "0x10", "1,5", "1 2", "nan", "inf", "1e999", "++1", "1e"}) EXPECT_FALSE(finite_number(text)) << text;
+    for (const char* text : {"", " ", "0x10", "1,5", "1 2", "nan", "inf", "1e999", "++1", "1e"})
+        EXPECT_FALSE(finite_number(text)) << text;
 }
 
 class Files : public testing::Test {
   protected:
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("weavefront_scene_text_" + std::to_string(::getpid()));
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("weavefront_scene_text_" + std::to_string(::getpid()));
     ~Files() override { std::filesystem::remove(path); }
 
     std::string refusal(std::size_t most = most_of_document) {
@@ -97,34 +106,43 @@ TEST_F(Files, OnesThatCannotBeReadSayWhy) {
 
 TEST(TextOfOverrides, IsUtf8) {
     EXPECT_EQ(findings(example, {"title=Sto\xDF"}),
-              std::vector<std::string>{"--set title=Sto<0xDF>: found the byte 0xDF ('ß' in Latin-1), allowed text in UTF-8"});
+              std::vector<std::string>{
+                  "--set title=Sto<0xDF>: found the byte 0xDF ('ß' in Latin-1), allowed text in UTF-8"});
 }
 
 // As copied from a PDF or a web page.
 TEST(Quantities, AnySpaceOfUnicodeMayStandBetweenNumberAndUnit) {
     for (const std::string space : {"\u00a0", "\u2009", "\u202f", "\u2007", "\u3000"}) {
-        EXPECT_EQ(parse(example_with("1440 kg/m^3", "1440" + space + "kg/m^3")).fabrics[0].density, 1440) << space;
-        EXPECT_EQ(parse(example_with("35 MPa s", "35" + space + "MPa" + space + "s")).fabrics[0].elastic.viscosity, 35e6) << space;
-        EXPECT_EQ(parse(example_with("3.3 %", "3.3" + space + "%")).fabrics[0].failure->static_strain, 0.033) << space;
+        EXPECT_EQ(parse(example_with("1440 kg/m^3", "1440" + space + "kg/m^3")).fabrics[0].density, 1440)
+            << space;
+        EXPECT_EQ(
+            parse(example_with("35 MPa s", "35" + space + "MPa" + space + "s")).fabrics[0].elastic.viscosity,
+            35e6)
+            << space;
+        EXPECT_EQ(parse(example_with("3.3 %", "3.3" + space + "%")).fabrics[0].failure->static_strain, 0.033)
+            << space;
     }
 }
 
 TEST(Quantities, WhatLooksLikeASpaceOrAMinusIsNamed) {
-    const auto message = [](const std::string& from, const std::string& to) { return findings(example_with(from, to)).at(0); };
+    const auto message = [](const std::string& from, const std::string& to) {
+        return findings(example_with(from, to)).at(0);
+    };
     EXPECT_EQ(message("1440 kg/m^3", "1440\u200bkg/m^3"),
-              "s.yaml:6:14: fabrics.kevlar129.density: found '1440<U+200B>kg/m^3', '<U+200B>kg/m^3' is not a unit, allowed a density "
+              "s.yaml:6:14: fabrics.kevlar129.density: found '1440<U+200B>kg/m^3', '<U+200B>kg/m^3' is not a "
+              "unit, allowed a density "
               "greater than "
               "0, such as '1440 kg/m^3'");
-    EXPECT_EQ(
-        message("0.820 mm", "−0.82 mm"),
-        "s.yaml:8:16: fabrics.kevlar129.thickness: found '−0.82 mm', a dash U+2212 in place of the minus sign '-', allowed a length of at "
-        "least 0, such as '0.9 mm'");
+    EXPECT_EQ(message("0.820 mm", "−0.82 mm"),
+              "s.yaml:8:16: fabrics.kevlar129.thickness: found '−0.82 mm', a dash U+2212 in place of the "
+              "minus sign '-', allowed a length of at "
+              "least 0, such as '0.9 mm'");
     EXPECT_EQ(message("count: 8", "count: 8\u00a0"),
               "s.yaml:16:18: target.plies.count: found '8<U+00A0>', allowed a whole number from 1 to 10000");
-    EXPECT_EQ(
-        message("0.820 mm", "2020-01-01"),
-        "s.yaml:8:16: fabrics.kevlar129.thickness: found '2020-01-01', '-01-01' is not a unit, allowed a length of at least 0, such as "
-        "'0.9 mm'");
+    EXPECT_EQ(message("0.820 mm", "2020-01-01"),
+              "s.yaml:8:16: fabrics.kevlar129.thickness: found '2020-01-01', '-01-01' is not a unit, allowed "
+              "a length of at least 0, such as "
+              "'0.9 mm'");
 }
 
 }  // namespace

@@ -7,15 +7,21 @@
 namespace weavefront::scene::test {
 namespace {
 
-double end_time(const std::string& text) { return parse(example_with("end: 200 us", "end: " + text), {"output.interval=0"}).time.end; }
+double end_time(const std::string& text) {
+    return parse(example_with("end: 200 us", "end: " + text), {"output.interval=0"}).time.end;
+}
 
-double span(const std::string& text) { return parse(example_with("span: 0.909 mm", "span: " + text)).fabrics[0].yarn.span; }
+double span(const std::string& text) {
+    return parse(example_with("span: 0.909 mm", "span: " + text)).fabrics[0].yarn.span;
+}
 
 TEST(Units, SameQuantityInAnyPowerOfTenIsTheSameDouble) {
-    for (const std::string text : {"0.909 mm", "909 um", "909000 nm", "909e3 nm", "0.0909 cm", "9.09e-4 m", "0.000000909 km", "+0.909mm"}) {
+    for (const std::string text : {"0.909 mm", "909 um", "909000 nm", "909e3 nm", "0.0909 cm", "9.09e-4 m",
+                                   "0.000000909 km", "+0.909mm"}) {
         EXPECT_EQ(span(text), 0.000909) << text;
     }
-    for (const std::string text : {"204 g/m^2", "0.204 kg/m^2", "0.0204 g/cm^2", "204 g m-2", "0.204 mg/mm^2"}) {
+    for (const std::string text :
+         {"204 g/m^2", "0.204 kg/m^2", "0.0204 g/cm^2", "204 g m-2", "0.204 mg/mm^2"}) {
         EXPECT_EQ(parse(example_with("204 g/m^2", text)).fabrics[0].areal_density, 0.204) << text;
     }
     for (const std::string text : {"1440 kg/m^3", "1.44 g/cm^3", "1.44 kg/l"}) {
@@ -42,7 +48,9 @@ TEST(Units, TimesAndRates) {
 }
 
 TEST(Units, Angles) {
-    const auto locking = [](const std::string& text) { return parse(example_with("35 deg", text)).fabrics[0].lateral->locking_angle; };
+    const auto locking = [](const std::string& text) {
+        return parse(example_with("35 deg", text)).fabrics[0].lateral->locking_angle;
+    };
     EXPECT_EQ(locking("30 deg"), locking("30 degrees"));
     EXPECT_EQ(locking("30 deg"), locking("30°"));
     EXPECT_DOUBLE_EQ(locking("30 deg"), std::numbers::pi / 6);
@@ -79,8 +87,8 @@ TEST(Units, WhatIsNoQuantityIsRefused) {
     for (const auto& [text, found] : cases) {
         const auto messages = findings(example_with("0.820 mm", text));
         ASSERT_EQ(messages.size(), 1U) << text;
-        EXPECT_EQ(messages[0],
-                  "s.yaml:8:16: fabrics.kevlar129.thickness: found " + found + ", allowed a length of at least 0, such as '0.9 mm'");
+        EXPECT_EQ(messages[0], "s.yaml:8:16: fabrics.kevlar129.thickness: found " + found +
+                                   ", allowed a length of at least 0, such as '0.9 mm'");
     }
 }
 
@@ -100,9 +108,11 @@ TEST(Units, WhatTradersWriteIsToldAsUdunitsWritesIt) {
 
 TEST(Units, AnglesAreNoNumbersAndNumbersNoAngles) {
     EXPECT_TRUE(findings(example_with("friction: 0.11", "friction: 0.11 deg"))[0].starts_with(
-        "s.yaml:12:15: fabrics.kevlar129.friction: found '0.11 deg', an angle, allowed a number of at least 0"));
+        "s.yaml:12:15: fabrics.kevlar129.friction: found '0.11 deg', an angle, allowed a number of at least "
+        "0"));
     EXPECT_TRUE(findings(example_with("35 deg", "0.6"))[0].starts_with(
-        "s.yaml:11:72: fabrics.kevlar129.lateral.locking_angle: found '0.6', a number without a unit, allowed an angle"));
+        "s.yaml:11:72: fabrics.kevlar129.lateral.locking_angle: found '0.6', a number without a unit, "
+        "allowed an angle"));
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ constexpr std::size_t unknowns = 12;
 using Vector = std::array<double, unknowns>;
 using Matrix = std::array<Vector, unknowns>;
 
-/// Largest eigenvalue by powers of the matrix; that of a yarn in tension is far above what compression can make negative.
+/// Largest eigenvalue by powers of the matrix; that of a yarn in tension is far above what compression can
+/// make negative.
 double largest_eigenvalue(const Matrix& K) {
     Vector v{};
     for (std::size_t i = 0; i < unknowns; ++i) v[i] = std::sin(1.0 + static_cast<double>(7 * i));
@@ -30,7 +31,8 @@ double largest_eigenvalue(const Matrix& K) {
 }
 
 /// Forces after the path to time 1 and one more step to x.
-Positions forces_at(const scene::Fabric& fabric, const Mesh& mesh, double angle, const Wander& wander, const Positions& x) {
+Positions forces_at(const scene::Fabric& fabric, const Mesh& mesh, double angle, const Wander& wander,
+                    const Positions& x) {
     Elements elements(fabric, mesh, angle, 1e-9);
     for (int i = 1; i <= 20; ++i) elements.nodal_forces(wander.at(i / 20.0));
     return elements.nodal_forces(x);
@@ -42,7 +44,8 @@ struct Frequencies {
     double exact;
 };
 
-/// Of one element at the end of a path; the tangent by central differences. Friction and packing make it unsymmetric.
+/// Of one element at the end of a path; the tangent by central differences. Friction and packing make it
+/// unsymmetric.
 Frequencies frequencies(const scene::Fabric& fabric, const Mesh& mesh, double angle, const Wander& wander) {
     Elements elements(fabric, mesh, angle, 1e-9);
     for (int i = 1; i <= 20; ++i) elements.nodal_forces(wander.at(i / 20.0));
@@ -53,16 +56,20 @@ Frequencies frequencies(const scene::Fabric& fabric, const Mesh& mesh, double an
         auto ahead = x, behind = x;
         ahead[j / 3][static_cast<Eigen::Index>(j % 3)] += h;
         behind[j / 3][static_cast<Eigen::Index>(j % 3)] -= h;
-        const auto f_ahead = forces_at(fabric, mesh, angle, wander, ahead), f_behind = forces_at(fabric, mesh, angle, wander, behind);
-        for (std::size_t i = 0; i < unknowns; ++i) K[i][j] = (f_behind[i / 3] - f_ahead[i / 3])[static_cast<Eigen::Index>(i % 3)] / (2 * h);
+        const auto f_ahead = forces_at(fabric, mesh, angle, wander, ahead),
+                   f_behind = forces_at(fabric, mesh, angle, wander, behind);
+        for (std::size_t i = 0; i < unknowns; ++i)
+            K[i][j] = (f_behind[i / 3] - f_ahead[i / 3])[static_cast<Eigen::Index>(i % 3)] / (2 * h);
     }
-    const double area = shell::make_quad(corners_of(mesh, 0, mesh.X), angle).area, nodal_mass = fabric.areal_density * area / 4;
+    const double area = shell::make_quad(corners_of(mesh, 0, mesh.X), angle).area,
+                 nodal_mass = fabric.areal_density * area / 4;
     const auto held = elements.group->frequencies();
     const shell::TighteningStart start{{held.in_plane * 1e-6}, 4 * held.in_plane,        held.out_of_plane,
                                        held.hourglass,         Eigen::Vector3d::UnitZ(), area};
     shell::TightBounds tighter = start.least;
     elements.group->tighten(start, x, tighter);
-    return {std::max(held.in_plane, held.out_of_plane), std::max(tighter[0], held.out_of_plane), largest_eigenvalue(K) / nodal_mass};
+    return {std::max(held.in_plane, held.out_of_plane), std::max(tighter[0], held.out_of_plane),
+            largest_eigenvalue(K) / nodal_mass};
 }
 
 Mesh square() {
@@ -75,7 +82,8 @@ Frequencies at_rest(const scene::Fabric& fabric) {
     return frequencies(fabric, square(), 0, Wander(square(), random, 0, 0, 0));
 }
 
-/// Of the difference quotients: h = 1e-6 of an element, so about 1e-6 of the stiffness by curvature and 1e-10 by rounding.
+/// Of the difference quotients: h = 1e-6 of an element, so about 1e-6 of the stiffness by curvature and 1e-10
+/// by rounding.
 constexpr double differences = 1e-5;
 
 /// It is told in steps of at most 2/512.
@@ -86,7 +94,8 @@ TEST(CriticalFrequency, OfAStraightSquareIsClosedForm) {
     fabric.thickness = 0;
     const auto [bound, sharp, exact] = at_rest(fabric);
     // each yarn by itself: 4 E1 S/s 2 (1/2a)^2 2/areal density
-    const double closed = 4 * membrane_stiffness(fabric) / (element_size * element_size * fabric.areal_density);
+    const double closed =
+        4 * membrane_stiffness(fabric) / (element_size * element_size * fabric.areal_density);
     EXPECT_NEAR(exact / closed, 1, differences);
     EXPECT_NEAR(bound / closed, 1, 1e-12);
     EXPECT_NEAR(sharp / closed, 1, step_of_the_sharp_bound);
@@ -153,8 +162,8 @@ TEST(CriticalFrequency, BoundsTheFabricAsPrinted) {
     expect_bound(fabric, 0.3);
 }
 
-/// Nine elements fill one pack and part of another; what fills its rest has the same nodes and must not look different for not having been
-/// there when they were stretched.
+/// Nine elements fill one pack and part of another; what fills its rest has the same nodes and must not look
+/// different for not having been there when they were stretched.
 TEST(CriticalFrequency, IsThatOfElementsRestoredElsewhere) {
     scene::Fabric fabric = kevlar129();
     fabric.failure.reset();

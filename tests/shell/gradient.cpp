@@ -7,8 +7,8 @@
 namespace weavefront::test {
 namespace {
 
-/// |energy taken + mean force . displacement| for a step of `size` element sizes in a random direction from a deformed state, over the
-/// scale of the energies at that size.
+/// |energy taken + mean force . displacement| for a step of `size` element sizes in a random direction from a
+/// deformed state, over the scale of the energies at that size.
 double defect(const scene::Fabric& fabric, int seed, double size) {
     std::mt19937_64 random(static_cast<std::uint64_t>(seed));
     Elements elements(fabric, one_element(0.2, random), 0.3);
@@ -24,7 +24,8 @@ double defect(const scene::Fabric& fabric, int seed, double size) {
     const auto after = elements.nodal_forces(x);
     double work = 0;
     for (std::size_t n = 0; n < du.size(); ++n) work -= 0.5 * (before[n] + after[n]).dot(du[n]);
-    return std::abs(elements.energy() - stored - work) / (membrane_stiffness(fabric) * element_size * element_size);
+    return std::abs(elements.energy() - stored - work) /
+           (membrane_stiffness(fabric) * element_size * element_size);
 }
 
 /// The trapezoidal work of a step is off by its third power.
@@ -60,16 +61,19 @@ TEST(Gradient, NothingIsMadeOrLostOverAClosedPath) {
         scene::Fabric fabric = open_trellis();
         fabric.transverse_shear *= 20;
         Elements elements(fabric, grid(3, 0.2, random), 0.3);
-        const Wander there(elements.mesh(), random, 0.05, 0.3, 0.15), aside(elements.mesh(), random, 0, 0, 0.15);
+        const Wander there(elements.mesh(), random, 0.05, 0.3, 0.15),
+            aside(elements.mesh(), random, 0, 0, 0.15);
         Positions force_before(16, Eigen::Vector3d::Zero()), x_before = elements.mesh().X;
         double work = 0, peak = 0;
         const int steps = refined ? 800 : 400;
         for (int i = 1; i <= steps; ++i) {
             const double time = static_cast<double>(i) / steps, up = std::sin(std::numbers::pi * time);
             Positions x = there.at(up * up), other = aside.at(time * (1 - time) * 4);
-            for (std::size_t n = 0; n < x.size(); ++n) x[n] += std::sin(2 * std::numbers::pi * time) * (other[n] - elements.mesh().X[n]);
+            for (std::size_t n = 0; n < x.size(); ++n)
+                x[n] += std::sin(2 * std::numbers::pi * time) * (other[n] - elements.mesh().X[n]);
             const auto force = elements.nodal_forces(x);
-            for (std::size_t n = 0; n < x.size(); ++n) work -= 0.5 * (force_before[n] + force[n]).dot(x[n] - x_before[n]);
+            for (std::size_t n = 0; n < x.size(); ++n)
+                work -= 0.5 * (force_before[n] + force[n]).dot(x[n] - x_before[n]);
             peak = std::max(peak, work);
             force_before = force;
             x_before = x;

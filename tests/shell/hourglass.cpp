@@ -11,13 +11,17 @@ namespace {
 
 constexpr double a = 2e-3, b = 0.7e-3;
 
-Corners rectangle() { return {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(a, 0, 0), Eigen::Vector3d(a, b, 0), Eigen::Vector3d(0, b, 0)}; }
+Corners rectangle() {
+    return {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(a, 0, 0), Eigen::Vector3d(a, b, 0),
+            Eigen::Vector3d(0, b, 0)};
+}
 
 double shape() { return (b / a + a / b) * 4 / 3; }
 
-/// Moves the corners by +u, -u, +u, -u and expects the energy k u^2/2 and the forces that belong to it, at any size of u: the point at the
-/// centre sees no strain.
-/// @param excess of the warping stiffness over the other, N/m: its energy grows with the area, which pulls the corners together
+/// Moves the corners by +u, -u, +u, -u and expects the energy k u^2/2 and the forces that belong to it, at
+/// any size of u: the point at the centre sees no strain.
+/// @param excess of the warping stiffness over the other, N/m: its energy grows with the area, which pulls
+/// the corners together
 void expect_spring(const scene::Fabric& fabric, const Eigen::Vector3d& u, double k, double excess) {
     Elements elements(fabric, one_element(rectangle()), 0.2);
     Positions x = elements.mesh().X;
@@ -27,8 +31,10 @@ void expect_spring(const scene::Fabric& fabric, const Eigen::Vector3d& u, double
     EXPECT_NEAR(energy.hourglass / (k * u.squaredNorm() / 2), 1, 1e-12);
     EXPECT_NEAR(energy.work, 0, 1e-20 * membrane_stiffness(fabric));
     for (std::size_t n = 0; n < 4; ++n) {
-        const Eigen::Vector3d outwards((n == 1 || n == 2 ? 0.5 : -0.5) / a, (n >= 2 ? 0.5 : -0.5) / b, 0);  // gradient of the area/area
-        const Eigen::Vector3d expected = (n % 2 == 0 ? -0.25 : 0.25) * k * u - excess * u.z() * u.z() / 2 * outwards;
+        const Eigen::Vector3d outwards((n == 1 || n == 2 ? 0.5 : -0.5) / a, (n >= 2 ? 0.5 : -0.5) / b,
+                                       0);  // gradient of the area/area
+        const Eigen::Vector3d expected =
+            (n % 2 == 0 ? -0.25 : 0.25) * k * u - excess * u.z() * u.z() / 2 * outwards;
         EXPECT_LT((forces[n] - expected).norm(), 1e-12 * k * u.norm()) << n;
     }
 }
@@ -72,17 +78,20 @@ shell::HourglassForce<double> evaluate(const Arguments& z) {
 TEST(Hourglass, TheForcesAreTheDerivativesOfTheEnergy) {
     std::mt19937_64 random(8);
     for (int n = 0; n < 100; ++n) {
-        const auto q = random_vector(random, 0.5), f = random_vector(random, 0.3), w = random_vector(random, 0.3);
+        const auto q = random_vector(random, 0.5), f = random_vector(random, 0.3),
+                   w = random_vector(random, 0.3);
         const Arguments z{q.x(), q.y(), q.z(), 1 + f.x(), f.y(), f.z(), w.x(), 1 + w.y(), w.z()};
         const auto at = evaluate(z);
-        const Arguments closed{at.force.x, at.force.y, at.force.z, at.P_f.x, at.P_f.y, at.P_f.z, at.P_w.x, at.P_w.y, at.P_w.z};
+        const Arguments closed{at.force.x, at.force.y, at.force.z, at.P_f.x, at.P_f.y,
+                               at.P_f.z,   at.P_w.x,   at.P_w.y,   at.P_w.z};
         const auto error = [&](double h) {
             double squared = 0;
             for (std::size_t i = 0; i < z.size(); ++i) {
                 auto ahead = z, behind = z;
                 ahead[i] += h;
                 behind[i] -= h;
-                squared += std::pow((evaluate(ahead).energy - evaluate(behind).energy) / (2 * h) - closed[i], 2);
+                squared +=
+                    std::pow((evaluate(ahead).energy - evaluate(behind).energy) / (2 * h) - closed[i], 2);
             }
             return std::sqrt(squared);
         };

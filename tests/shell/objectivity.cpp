@@ -28,9 +28,11 @@ void expect_forces_to_turn(scene::Formulation formulation) {
         for (const auto& position : x) Rx.push_back(R * position);
         const auto forces = still.nodal_forces(x), seen = turning.nodal_forces(Rx);
         peak = std::max(peak, largest(forces));
-        for (std::size_t n = 0; n < forces.size(); ++n) worst = std::max(worst, (R * forces[n] - seen[n]).norm());
+        for (std::size_t n = 0; n < forces.size(); ++n)
+            worst = std::max(worst, (R * forces[n] - seen[n]).norm());
     }
-    // Positions are rounded to 1e-16 of the patch of four elements: 4e-16 of strain a step, on the whole membrane stiffness; 200 steps.
+    // Positions are rounded to 1e-16 of the patch of four elements: 4e-16 of strain a step, on the whole
+    // membrane stiffness; 200 steps.
     EXPECT_LT(worst, 200 * 1e-15 * 2 * membrane_stiffness(fabric) * element_size);
     EXPECT_GT(peak, 1e-3 * membrane_stiffness(fabric) * element_size);
     EXPECT_NEAR(turning.energy() / still.energy(), 1, 1e-11);
@@ -43,8 +45,10 @@ void expect_rest_in_a_rigid_turn(scene::Formulation formulation) {
     Elements elements(fabric, grid(4, 0.25, random), 0.3);
     for (int i = 1; i <= 100; ++i) {
         Positions x;
-        for (const auto& X : elements.mesh().X) x.push_back(turn(i / 100.0) * X + Eigen::Vector3d(0, 0, 1e-3 * i));
-        // the patch is now at up to 0.1 m from the origin: its positions are rounded to 1e-17 m, 1e-14 of an element
+        for (const auto& X : elements.mesh().X)
+            x.push_back(turn(i / 100.0) * X + Eigen::Vector3d(0, 0, 1e-3 * i));
+        // the patch is now at up to 0.1 m from the origin: its positions are rounded to 1e-17 m, 1e-14 of an
+        // element
         EXPECT_LT(largest(elements.nodal_forces(x)), 1e-13 * membrane_stiffness(fabric) * element_size);
     }
     EXPECT_LT(std::abs(elements.energy()), 1e-24 * membrane_stiffness(fabric));

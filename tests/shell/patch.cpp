@@ -28,11 +28,14 @@ TEST(Patch, AUniformDeformationIsExactOnADistortedMesh) {
         EXPECT_LT(elements.group->energy(e).hourglass, 1e-24 * elements.group->energy(e).work);
     }
     for (int j = 1; j < 5; ++j)
-        for (int i = 1; i < 5; ++i) EXPECT_LT(forces[static_cast<std::size_t>(j * 6 + i)].norm(), 1e-13 * largest(forces)) << i << ' ' << j;
+        for (int i = 1; i < 5; ++i)
+            EXPECT_LT(forces[static_cast<std::size_t>(j * 6 + i)].norm(), 1e-13 * largest(forces))
+                << i << ' ' << j;
 }
 
 TEST(Patch, TheBoundaryForcesCarryTheStress) {
-    // a square pulled along its straight fill: E1 S/s eps per length, times the stretch of the other sides, none
+    // a square pulled along its straight fill: E1 S/s eps per length, times the stretch of the other sides,
+    // none
     scene::Fabric fabric = open_trellis();
     fabric.thickness = 0;
     std::mt19937_64 random(1);
@@ -73,7 +76,8 @@ TEST(Patch, ForceAndMomentResultantsVanish) { expect_no_resultants(scene::Formul
 TEST(Patch, ForceAndMomentResultantsVanishAsPrinted) { expect_no_resultants(scene::Formulation::paper); }
 
 TEST(Patch, IdleLanesOfAPackDoNothing) {
-    // nine elements fill one pack and one lane of another: the ninth alone must see the same as in a group of its own
+    // nine elements fill one pack and one lane of another: the ninth alone must see the same as in a group of
+    // its own
     std::mt19937_64 random(4);
     Elements nine(kevlar129(), grid(3, 0.2, random), 0.3);
     const auto& mesh = nine.mesh();

@@ -17,7 +17,9 @@ std::array<shell::Vector<double>, 4> vectors(const Corners& x) {
     return {v(0), v(1), v(2), v(3)};
 }
 
-shell::Kinematics<double> kinematics(const shell::Quad<double>& quad, const Corners& x) { return shell::kinematics_of(quad, vectors(x)); }
+shell::Kinematics<double> kinematics(const shell::Quad<double>& quad, const Corners& x) {
+    return shell::kinematics_of(quad, vectors(x));
+}
 
 bool is_inverted(const Corners& x) { return shell::is_inverted(vectors(x)); }
 
@@ -45,8 +47,9 @@ TEST(Quad, SeesLinearFieldsExactlyAndNoHourglassInThem) {
 
 TEST(Quad, OfARectangleIsClosedForm) {
     const double a = 2e-3, b = 0.7e-3;
-    const auto quad =
-        shell::make_quad({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(a, 0, 0), Eigen::Vector3d(a, b, 0), Eigen::Vector3d(0, b, 0)}, 0);
+    const auto quad = shell::make_quad({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(a, 0, 0),
+                                        Eigen::Vector3d(a, b, 0), Eigen::Vector3d(0, b, 0)},
+                                       0);
     EXPECT_DOUBLE_EQ(quad.area, a * b);
     EXPECT_NEAR(quad.shape, (b / a + a / b) * 4 / 3, 1e-14);
     EXPECT_EQ(quad.e1, 0);
@@ -58,13 +61,16 @@ TEST(Quad, OfARectangleIsClosedForm) {
 TEST(Quad, MustBeConvex) {
     const auto at = [](double x, double y) { return Eigen::Vector3d(x, y, 0); };
     EXPECT_THROW(shell::make_quad({at(0, 0), at(1, 0), at(0.1, 0.1), at(0, 1)}, 0), std::invalid_argument);
-    EXPECT_THROW(shell::make_quad({at(0, 0), at(0, 1), at(1, 1), at(1, 0)}, 0), std::invalid_argument);  // clockwise
+    EXPECT_THROW(shell::make_quad({at(0, 0), at(0, 1), at(1, 1), at(1, 0)}, 0),
+                 std::invalid_argument);  // clockwise
 }
 
 TEST(Inversion, IsCrossingItselfNotTurningOrDenting) {
     const auto at = [](double x, double y) { return Eigen::Vector3d(x, y, 0); };
-    const Corners flat{at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, dented{at(0, 0), at(1, 0), at(0.4, 0.4), at(0, 1)},
-        crossed{at(0, 0), at(1, 0), at(-0.2, 0.9), at(1.1, 1)}, across{at(0, 0), at(-0.3, 0.6), at(1, 1), at(0, 1)};
+    const Corners flat{at(0, 0), at(1, 0), at(1, 1), at(0, 1)},
+        dented{at(0, 0), at(1, 0), at(0.4, 0.4), at(0, 1)},
+        crossed{at(0, 0), at(1, 0), at(-0.2, 0.9), at(1.1, 1)},
+        across{at(0, 0), at(-0.3, 0.6), at(1, 1), at(0, 1)};
     std::mt19937_64 random(2);
     for (int n = 0; n < 20; ++n) {
         const Eigen::Matrix3d R = Eigen::Quaterniond::UnitRandom().toRotationMatrix();
@@ -80,7 +86,8 @@ TEST(Inversion, IsCrossingItselfNotTurningOrDenting) {
     EXPECT_TRUE(is_inverted({at(0, 0), at(1, 0), at(0, 1), at(1, 1)}));  // no mean normal
 }
 
-/// Grid lines of graded meshes are sums; what rounding leaves of e would make of a parallelogram something else.
+/// Grid lines of graded meshes are sums; what rounding leaves of e would make of a parallelogram something
+/// else.
 TEST(Quad, ARectangleOfAGradedMeshIsAParallelogram) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> size(1e-4, 1e-3), growth(1, 1.3);
@@ -88,7 +95,8 @@ TEST(Quad, ARectangleOfAGradedMeshIsAParallelogram) {
         double x = 0, X = size(random), step = X;
         const double factor = growth(random);
         for (int column = 0; column < 20; ++column) {
-            const auto quad = shell::make_quad({Eigen::Vector3d(x, x, 0), {X, x, 0}, {X, X, 0}, {x, X, 0}}, 0.3);
+            const auto quad =
+                shell::make_quad({Eigen::Vector3d(x, x, 0), {X, x, 0}, {X, X, 0}, {x, X, 0}}, 0.3);
             ASSERT_EQ(quad.e1, 0) << n;
             ASSERT_EQ(quad.e2, 0) << n;
             step *= factor;

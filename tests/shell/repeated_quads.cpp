@@ -13,7 +13,9 @@ std::vector<shell::Quad<double>> random_quads(std::size_t count) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> one(0, 1);
     std::vector<shell::Quad<double>> quads(count);
-    for (auto& q : quads) q = {one(random), one(random), one(random), one(random), one(random), one(random), one(random), one(random)};
+    for (auto& q : quads)
+        q = {one(random), one(random), one(random), one(random),
+             one(random), one(random), one(random), one(random)};
     return quads;
 }
 

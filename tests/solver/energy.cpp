@@ -12,7 +12,8 @@ constexpr double speed = 10;  // m/s
 
 /// Largest closure error of a short impact.
 double closure_error(const parallel::Communicator& comm, const std::string& safety) {
-    Simulation simulation(scene_with({"target.plies.count=2", "target.symmetry=[x, y]", "time.safety=" + safety}), comm);
+    Simulation simulation(
+        scene_with({"target.plies.count=2", "target.symmetry=[x, y]", "time.safety=" + safety}), comm);
     double largest = 0;
     while (simulation.time() < 25e-6) {
         simulation.advance_forces();
@@ -26,19 +27,22 @@ double closure_error(const parallel::Communicator& comm, const std::string& safe
 
 TEST(Energy, ClosureErrorFallsWithTheStep) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const double coarse = closure_error(comm, "0.8"), middle = closure_error(comm, "0.4"), fine = closure_error(comm, "0.2");
+    const double coarse = closure_error(comm, "0.8"), middle = closure_error(comm, "0.4"),
+                 fine = closure_error(comm, "0.2");
     EXPECT_LT(coarse, 1e-5);
     EXPECT_NEAR(coarse / middle, 4, 0.5);
     EXPECT_NEAR(middle / fine, 4, 0.5);
 }
 
-// A fabric that flies freely loses its velocity by dv/dt = -c v. The central difference multiplies v by (1 - d)/(1 + d) a step, d = c dt/2,
-// whose logarithm is -c dt (1 + (c dt)^2/12 + ...): second order, with a known constant.
+// A fabric that flies freely loses its velocity by dv/dt = -c v. The central difference multiplies v by (1 -
+// d)/(1 + d) a step, d = c dt/2, whose logarithm is -c dt (1 + (c dt)^2/12 + ...): second order, with a known
+// constant.
 TEST(Damping, SlowsAFlyingFabricToSecondOrder) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     constexpr double c = 2e5;  // 1/s
     for (const std::string safety : {"0.8", "0.4"}) {
-        Simulation simulation(scene_with({"projectile=", "contact=", "damping=2e5 1/s", "time.safety=" + safety}), comm);
+        Simulation simulation(
+            scene_with({"projectile=", "contact=", "damping=2e5 1/s", "time.safety=" + safety}), comm);
         set_motion(
             simulation, [](const Vec3& x) { return x; }, [](const Vec3&) { return Vec3(0, 0, speed); });
         advance(simulation, 1);

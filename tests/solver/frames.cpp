@@ -27,12 +27,14 @@ const io::Array& array(const io::Frame& frame, const std::string& name) {
 std::vector<Vec3> velocities_of(Simulation& simulation) {
     const auto values = array(app::frame_of(simulation, {Field::velocity}), "velocity").values;
     std::vector<Vec3> velocities;
-    for (std::size_t i = 0; i < values.size(); i += 3) velocities.emplace_back(values[i], values[i + 1], values[i + 2]);
+    for (std::size_t i = 0; i < values.size(); i += 3)
+        velocities.emplace_back(values[i], values[i + 1], values[i + 2]);
     return velocities;
 }
 
 template <class Term>
-double sum_over_owned(const Simulation& simulation, const parallel::Communicator& comm, const std::vector<Vec3>& velocities, Term term) {
+double sum_over_owned(const Simulation& simulation, const parallel::Communicator& comm,
+                      const std::vector<Vec3>& velocities, Term term) {
     const auto& nodes = simulation.model().nodes;
     double sum = 0;
     for (std::size_t n = 0, i = 0; n < static_cast<std::size_t>(nodes.count); ++n)
@@ -46,18 +48,21 @@ class Frames : public testing::Test {
     const parallel::Communicator comm_{MPI_COMM_WORLD};
 };
 
-// The scheme's own velocities stand half a step behind: in a frame the motion before and after it are weighed by the other's time.
+// The scheme's own velocities stand half a step behind: in a frame the motion before and after it are weighed
+// by the other's time.
 TEST_F(Frames, HaveTheVelocitiesOfTheirTime) {
     Simulation simulation(scene_with({"target.plies.count=2"}), comm_);
     advance(simulation, 40);
     simulation.advance_forces();
     const auto before = simulation.model().nodes.v;
     const auto shown = velocities_of(simulation);
-    const Vec3 of_projectile = simulation.projectile_velocity(), behind = simulation.model().projectile->velocity;
+    const Vec3 of_projectile = simulation.projectile_velocity(),
+               behind = simulation.model().projectile->velocity;
     const double last = simulation.time();
     simulation.integrate();
     const auto& nodes = simulation.model().nodes;
-    const double next_step = simulation.time() - last, last_step = simulation.time_step();  // which did not change here
+    const double next_step = simulation.time() - last,
+                 last_step = simulation.time_step();  // which did not change here
     ASSERT_NEAR(next_step, last_step, 1e-6 * last_step);
     for (std::size_t n = 0, i = 0; n < static_cast<std::size_t>(nodes.count); ++n) {
         if (!nodes.owned[n]) continue;
@@ -68,31 +73,37 @@ TEST_F(Frames, HaveTheVelocitiesOfTheirTime) {
     EXPECT_GT((of_projectile - behind).norm(), 1e-6);
 }
 
-// The ledger takes v(n-1/2).v(n+1/2), which is what the scheme keeps. It is less than v(n)^2 by the square of half the change of a step.
+// The ledger takes v(n-1/2).v(n+1/2), which is what the scheme keeps. It is less than v(n)^2 by the square of
+// half the change of a step.
 TEST_F(Frames, HaveTheKineticEnergyOfTheHistory) {
     Simulation simulation(scene_with({"target.plies.count=2", "damping=1000 1/s"}), comm_);
     advance(simulation, 40);
     simulation.advance_forces();
     const auto shown = velocities_of(simulation);
     const auto balance = simulation.balance();
-    const double of_change = sum_over_owned(simulation, comm_, shown, [](double mass, const Vec3& half_step_behind, const Vec3& now) {
-        return mass * (now.squaredNorm() - (now - half_step_behind).squaredNorm()) / 2;
-    });
+    const double of_change = sum_over_owned(
+        simulation, comm_, shown, [](double mass, const Vec3& half_step_behind, const Vec3& now) {
+            return mass * (now.squaredNorm() - (now - half_step_behind).squaredNorm()) / 2;
+        });
     ASSERT_GT(balance.kinetic_fabric, 0.01);
-    constexpr double rounding = 400 * 10 * 0x1p-44;  // each of some hundred nodes to 2^-44 of the initial 10 J
+    constexpr double rounding =
+        400 * 10 * 0x1p-44;  // each of some hundred nodes to 2^-44 of the initial 10 J
     EXPECT_NEAR(of_change, balance.kinetic_fabric, rounding);
-    const double kinetic =
-        sum_over_owned(simulation, comm_, shown, [](double mass, const Vec3&, const Vec3& now) { return mass * now.squaredNorm() / 2; });
+    const double kinetic = sum_over_owned(
+        simulation, comm_, shown,
+        [](double mass, const Vec3&, const Vec3& now) { return mass * now.squaredNorm() / 2; });
     EXPECT_NEAR(kinetic, balance.kinetic_fabric, 0.01 * balance.kinetic_fabric);
 
     const auto frame = app::frame_of(simulation, {Field::velocity});
     for (std::size_t d = 0; d < 3; ++d)
-        EXPECT_EQ(array(frame, "velocity").projectile[d], balance.projectile_velocity[static_cast<Eigen::Index>(d)]);
+        EXPECT_EQ(array(frame, "velocity").projectile[d],
+                  balance.projectile_velocity[static_cast<Eigen::Index>(d)]);
 }
 
 // Nodes of an eroded element fly apart.
 TEST_F(Frames, HoldWhatErodedElementsShow) {
-    const std::vector<Field> fields{Field::strain, Field::stress, Field::braid_angle, Field::crimp, Field::broken};
+    const std::vector<Field> fields{Field::strain, Field::stress, Field::braid_angle, Field::crimp,
+                                    Field::broken};
     Simulation simulation(scene_with({"fabrics.kevlar129.failure={static_strain: 1 %, hooke_strain: 1 %}",
                                       "target.edges={x: fixed, y: fixed}", "projectile.velocity.2=600 m/s"}),
                           comm_);
@@ -109,14 +120,17 @@ TEST_F(Frames, HoldWhatErodedElementsShow) {
     ASSERT_GE(eroded, 4);
     // Columns change ranks on the way, with what they show.
     partition::Decomposition turned{comm_.size(), {}};
-    for (std::int64_t c = 0; c < simulation.panel().columns(); ++c) turned.owner.push_back(static_cast<std::int32_t>(c % comm_.size()));
+    for (std::int64_t c = 0; c < simulation.panel().columns(); ++c)
+        turned.owner.push_back(static_cast<std::int32_t>(c % comm_.size()));
     const auto ids = simulation.model().global.element_ids;
     const auto strain_of = [&](const io::Frame& frame, const std::vector<std::int64_t>& elements) {
         std::vector<double> strains(static_cast<std::size_t>(simulation.panel().elements()), 0);
         for (std::size_t e = 0; e < elements.size(); ++e)
             if (frame.eroded[e])
-                for (const auto& cells : frame.cell_data) strains[static_cast<std::size_t>(elements[e])] += cells.values[e];
-        MPI_Allreduce(MPI_IN_PLACE, strains.data(), static_cast<int>(strains.size()), MPI_DOUBLE, MPI_SUM, comm_.get());
+                for (const auto& cells : frame.cell_data)
+                    strains[static_cast<std::size_t>(elements[e])] += cells.values[e];
+        MPI_Allreduce(MPI_IN_PLACE, strains.data(), static_cast<int>(strains.size()), MPI_DOUBLE, MPI_SUM,
+                      comm_.get());
         return strains;
     };
     const auto at_first = strain_of(first, ids);

@@ -16,7 +16,8 @@ namespace {
 /// Where all nodes are, by their owners.
 std::vector<double> all_positions(const Simulation& simulation, const parallel::Communicator& comm) {
     const auto& nodes = simulation.model().nodes;
-    std::vector<double> all(static_cast<std::size_t>(3 * simulation.panel().nodes()), std::numeric_limits<double>::lowest());
+    std::vector<double> all(static_cast<std::size_t>(3 * simulation.panel().nodes()),
+                            std::numeric_limits<double>::lowest());
     for (std::size_t n = 0; n < nodes.ids.size(); ++n)
         if (nodes.owned[n]) std::ranges::copy(nodes.x[n], all.begin() + 3 * nodes.ids[n]);
     comm.max(all);
@@ -25,7 +26,8 @@ std::vector<double> all_positions(const Simulation& simulation, const parallel::
 
 TEST(Ghosts, AreWhereTheirOwnersHaveThem) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    Simulation simulation(scene_with({"target.plies.count=3", "fabrics.kevlar129.failure={static_strain: 3.3 %, hooke_strain: 2.7 %}",
+    Simulation simulation(scene_with({"target.plies.count=3",
+                                      "fabrics.kevlar129.failure={static_strain: 3.3 %, hooke_strain: 2.7 %}",
                                       "projectile.velocity=[0, 0, 600 m/s]"}),
                           comm);
     const auto& panel = simulation.panel();
@@ -40,7 +42,8 @@ TEST(Ghosts, AreWhereTheirOwnersHaveThem) {
             for (std::size_t a = 0; a < 4; ++a) {
                 const auto node = 3 * (corners[a] + facet.id / panel.columns() * panel.nodes_per_ply());
                 const Vec3 swept(all.data() + node);
-                ASSERT_EQ(simulation.model().nodes.x[static_cast<std::size_t>(facet.nodes[a])], swept) << round << ' ' << facet.id;
+                ASSERT_EQ(simulation.model().nodes.x[static_cast<std::size_t>(facet.nodes[a])], swept)
+                    << round << ' ' << facet.id;
             }
         }
     }

@@ -14,7 +14,8 @@ TEST(Guard, StopsAllRanksAtAForceThatIsNotFinite) {
     Simulation simulation(scene_with({"projectile=", "contact=", "target.plies.count=2"}), comm);
     advance(simulation, 3);
     auto& nodes = simulation.model().nodes;
-    if (comm.rank() == comm.size() - 1) nodes.v[static_cast<std::size_t>(nodes.count) - 1].y() = std::numeric_limits<double>::quiet_NaN();
+    if (comm.rank() == comm.size() - 1)
+        nodes.v[static_cast<std::size_t>(nodes.count) - 1].y() = std::numeric_limits<double>::quiet_NaN();
     std::string message;
     try {
         advance(simulation, 2);

@@ -12,11 +12,13 @@ namespace {
 
 TEST(HaloSizes, AreThoseOfTheLinks) {
     for (const char* plies : {"1", "3"}) {
-        const auto scene = scene_with({std::string("target.plies.count=") + plies, "target.mesh.center=1 mm"});
+        const auto scene =
+            scene_with({std::string("target.plies.count=") + plies, "target.mesh.center=1 mm"});
         const parallel::Communicator comm(MPI_COMM_WORLD);
         const Simulation simulation(scene, comm);
         const auto& panel = simulation.panel();
-        const auto decomposition = partition::decompose_for_run(scene, panel, comm.size(), ghost_reach(scene, panel));
+        const auto decomposition =
+            partition::decompose_for_run(scene, panel, comm.size(), ghost_reach(scene, panel));
         const auto sizes = partition::halo_sizes(panel, decomposition, ghost_reach(scene, panel));
         const auto& mine = sizes[static_cast<std::size_t>(comm.rank())];
 
@@ -31,7 +33,8 @@ TEST(HaloSizes, AreThoseOfTheLinks) {
         EXPECT_EQ(mine.messages, static_cast<std::int64_t>(model.exchange.neighbours().size()));
         EXPECT_EQ(mine.nodes, model.nodes.count);
         EXPECT_EQ(mine.ghosts, static_cast<std::int64_t>(model.nodes.x.size()) - model.nodes.count);
-        EXPECT_EQ(mine.columns * static_cast<std::int64_t>(panel.plies.size()), static_cast<std::int64_t>(model.slots.size()));
+        EXPECT_EQ(mine.columns * static_cast<std::int64_t>(panel.plies.size()),
+                  static_cast<std::int64_t>(model.slots.size()));
     }
 }
 

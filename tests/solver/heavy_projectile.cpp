@@ -9,7 +9,8 @@ namespace {
 
 /// The balance after an impact of 20 us by a projectile of a mass.
 Balance struck_by(const std::string& mass, const parallel::Communicator& comm, bool* touched = nullptr) {
-    Simulation simulation(scene_with({"target.edges={x: fixed, y: fixed}", "projectile.velocity.2=20 m/s", "projectile.mass=" + mass}),
+    Simulation simulation(scene_with({"target.edges={x: fixed, y: fixed}", "projectile.velocity.2=20 m/s",
+                                      "projectile.mass=" + mass}),
                           comm);
     while (simulation.time() < 20e-6) {
         simulation.advance_forces();
@@ -22,7 +23,8 @@ Balance struck_by(const std::string& mass, const parallel::Communicator& comm, b
 
 }  // namespace
 
-// It moves as if prescribed: what the fabric takes does not depend on its mass, nor does what the ledger resolves.
+// It moves as if prescribed: what the fabric takes does not depend on its mass, nor does what the ledger
+// resolves.
 TEST(HeavyProjectile, HandsOverWhatItsMotionMakesTheFabricTake) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     bool touched = false;
@@ -32,7 +34,8 @@ TEST(HeavyProjectile, HandsOverWhatItsMotionMakesTheFabricTake) {
     EXPECT_NEAR(heavy.internal / less.internal, 1, 1e-4);
     EXPECT_NEAR(heavy.kinetic_fabric / less.kinetic_fabric, 1, 1e-4);
     EXPECT_NEAR(heavy.contact / less.contact, 1, 1e-2);
-    EXPECT_NEAR(heavy.transferred_energy / less.transferred_energy, 1, 1e-4) << "its own energy is no part of it";
+    EXPECT_NEAR(heavy.transferred_energy / less.transferred_energy, 1, 1e-4)
+        << "its own energy is no part of it";
     EXPECT_LT(std::abs(heavy.closure_error), 1e-3);
 }
 

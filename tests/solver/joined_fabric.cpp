@@ -16,7 +16,8 @@ template <class Displacement>
 void displace(Simulation& simulation, Displacement displacement) {
     simulation.advance_forces();
     set_motion(
-        simulation, [&](const Vec3& x) { return Vec3(x + displacement(x)); }, [](const Vec3&) { return Vec3(0, 0, 0); });
+        simulation, [&](const Vec3& x) { return Vec3(x + displacement(x)); },
+        [](const Vec3&) { return Vec3(0, 0, 0); });
     simulation.integrate();
     simulation.advance_forces();
 }
@@ -41,12 +42,13 @@ TEST(JoinedFabric, LosesTheNodesOfErodedElements) {
     EXPECT_NEAR(balance.max_displacement, 3e-3, 1e-9);
 }
 
-// Two columns of elements away from an edge the fill yarns break over the whole width. What they held is debris, though the warp yarns of
-// the torn column run on along it.
+// Two columns of elements away from an edge the fill yarns break over the whole width. What they held is
+// debris, though the warp yarns of the torn column run on along it.
 TEST(JoinedFabric, OfAPlyThatNothingHoldsIsItsLargestPiece) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     Simulation simulation(scene_with({"projectile=", "contact=", breaks}), comm);
-    displace(simulation, [&](const Vec3& x) { return Vec3(x.x() > 7e-3 ? 0.3e-3 : 0, 0, x.x() > 7e-3 ? 1e-3 : 0); });
+    displace(simulation,
+             [&](const Vec3& x) { return Vec3(x.x() > 7e-3 ? 0.3e-3 : 0, 0, x.x() > 7e-3 ? 1e-3 : 0); });
     const auto balance = simulation.balance();
     EXPECT_EQ(balance.broken_yarns, 12);
     EXPECT_EQ(balance.eroded_elements, 0);
@@ -67,12 +69,14 @@ TEST(JoinedFabric, IsWhatYarnsJoinToASupport) {
     };
     EXPECT_EQ(debris({"target.edges.x=fixed"}), 0);
     EXPECT_EQ(debris({"target.edges.y=sliding"}), 0);
-    EXPECT_EQ(debris({"target.symmetry=[x]", "target.edges.x=fixed"}), 2 * 3 * 12) << "a plane of symmetry is no support";
+    EXPECT_EQ(debris({"target.symmetry=[x]", "target.edges.x=fixed"}), 2 * 3 * 12)
+        << "a plane of symmetry is no support";
 }
 
 TEST(JoinedFabric, OfAPlyTurnedBy45DegreesIsJoinedAslant) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    Simulation simulation(scene_with({"projectile=", "contact=", "target.plies={count: 1, fabric: kevlar129, angle: 45 deg}", breaks}),
+    Simulation simulation(scene_with({"projectile=", "contact=",
+                                      "target.plies={count: 1, fabric: kevlar129, angle: 45 deg}", breaks}),
                           comm);
     displace(simulation, [&](const Vec3& x) { return Vec3(x.x() > 7e-3 ? 0.3e-3 : 0, 0, 0); });
     const auto balance = simulation.balance();

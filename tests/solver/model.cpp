@@ -10,9 +10,11 @@ namespace weavefront::solver::test {
 namespace {
 
 const std::vector<std::string> five_plies{
-    "fabrics.light={areal_density: 102 g/m^2, density: 1440 kg/m^3, yarn: {span: 0.909 mm, area: 3.24e-2 mm^2, width: 0.32 mm}, "
+    "fabrics.light={areal_density: 102 g/m^2, density: 1440 kg/m^3, yarn: {span: 0.909 mm, area: 3.24e-2 "
+    "mm^2, width: 0.32 mm}, "
     "thickness: 0.2 mm, elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa}}",
-    "target.plies=[{fabric: light}, {fabric: kevlar129, spacing: 1 mm, angle: 45 deg}, {fabric: light, spacing: 1 mm, angle: 30 deg}, "
+    "target.plies=[{fabric: light}, {fabric: kevlar129, spacing: 1 mm, angle: 45 deg}, {fabric: light, "
+    "spacing: 1 mm, angle: 30 deg}, "
     "{fabric: kevlar129, spacing: 1 mm}, {fabric: kevlar129, spacing: 1 mm, angle: 45 deg}]"};
 
 TEST(Model, EveryElementHasItsPlaceItsShapeAndItsPly) {
@@ -31,7 +33,8 @@ TEST(Model, EveryElementHasItsPlaceItsShapeAndItsPly) {
         ASSERT_EQ(group.element(slot.index), e);
         ASSERT_TRUE(group.alive(slot.index));
         const auto& nodes = group.nodes(slot.index / shell::pack_width);
-        for (std::size_t a = 0; a < 4; ++a) ASSERT_EQ(nodes[a][static_cast<std::size_t>(slot.index % shell::pack_width)], facet.nodes[a]);
+        for (std::size_t a = 0; a < 4; ++a)
+            ASSERT_EQ(nodes[a][static_cast<std::size_t>(slot.index % shell::pack_width)], facet.nodes[a]);
         const auto corners = contact::corners_of(facet.nodes, model.nodes.x);
         ASSERT_EQ(model.surface.areas[index], shell::make_quad(corners, 0).area);
     }

@@ -52,7 +52,9 @@ TEST(Motion, GivesTheKineticEnergyOfEachNode) {
         const auto energies = solver::kinetic_energies(nodes, scale, first, step, dt);
         for (std::size_t i = 0; i < energies.size(); ++i) {
             const auto n = first + i;
-            const Vec3 force(scale.to(nodes.force[n][0]), scale.to(nodes.force[n][1]), scale.to(nodes.force[n][2])), &v = nodes.v[n];
+            const Vec3 force(scale.to(nodes.force[n][0]), scale.to(nodes.force[n][1]),
+                             scale.to(nodes.force[n][2])),
+                &v = nodes.v[n];
             const Vec3 next = v + step * (force / nodes.mass[n]), acceleration = (next - v) / step;
             EXPECT_EQ(energies[i], nodes.mass[n] * v.dot(v + dt * acceleration) / 2) << n;
         }

@@ -57,7 +57,8 @@ TEST(Outcome, IsStoppedWhenTheProjectileTurnsBack) {
 TEST(Outcome, IsPerforatedWhenAllPliesHaveAHole) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const auto run =
-        compute({held, two_plies, "fabrics.kevlar129.failure={static_strain: 1 %, hooke_strain: 1 %}", "projectile.velocity.2=400 m/s"},
+        compute({held, two_plies, "fabrics.kevlar129.failure={static_strain: 1 %, hooke_strain: 1 %}",
+                 "projectile.velocity.2=400 m/s"},
                 1e-4, comm);
     EXPECT_EQ(run.outcome.verdict, Verdict::perforated);
     EXPECT_EQ(run.outcome.plies_perforated, 2);
@@ -72,22 +73,26 @@ TEST(Outcome, IsPerforatedWhenAllPliesHaveAHole) {
 // Nodes are farther apart than the sphere is wide, and it passes between them.
 TEST(Outcome, TellsWholeFabricThatTheProjectilePassed) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto run = compute({held, two_plies, "target.mesh.center=12 mm", "contact.spacing=nodes", "projectile.position=[0, 0, -12.1 mm]",
-                              "projectile.velocity=[100 m/s, 100 m/s, 200 m/s]"},
-                             1e-4, comm);
+    const auto run =
+        compute({held, two_plies, "target.mesh.center=12 mm", "contact.spacing=nodes",
+                 "projectile.position=[0, 0, -12.1 mm]", "projectile.velocity=[100 m/s, 100 m/s, 200 m/s]"},
+                1e-4, comm);
     EXPECT_EQ(run.outcome.verdict, Verdict::passed);
     EXPECT_EQ(run.outcome.plies_perforated, 0);
     for (std::size_t p = 0; p < 2; ++p) {
         ASSERT_TRUE(run.passages[p]);
         EXPECT_EQ(run.passages[p]->way, Way::whole_fabric);
-        EXPECT_EQ(run.passages[p]->element, static_cast<std::int64_t>(4 * p + 3)) << "the one around (6, 6) mm";
+        EXPECT_EQ(run.passages[p]->element, static_cast<std::int64_t>(4 * p + 3))
+            << "the one around (6, 6) mm";
     }
 }
 
 // It leaves the panel at a slant before it comes to its height.
 TEST(Outcome, TellsAProjectileThatFlewPastTheTarget) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto run = compute({held, "projectile.position=[11 mm, 0, -9 mm]", "projectile.velocity=[400 m/s, 0, 200 m/s]"}, 1.5e-4, comm);
+    const auto run =
+        compute({held, "projectile.position=[11 mm, 0, -9 mm]", "projectile.velocity=[400 m/s, 0, 200 m/s]"},
+                1.5e-4, comm);
     EXPECT_EQ(run.outcome.verdict, Verdict::passed);
     ASSERT_TRUE(run.passages[0]);
     EXPECT_EQ(run.passages[0]->way, Way::beside);
@@ -102,11 +107,11 @@ TEST(Outcome, IsOpenWhileTheProjectileMovesOn) {
 
 TEST(Penetration, IsThatOfTheDeepestPointWithItsPlace) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    Simulation simulation(
-        scene_with({"projectile={shape: cylinder, diameter: 3 mm, length: 10 mm, mass: 0.5 g, position: [1 mm, -1 mm, -5 mm], "
-                    "velocity: [0, 0, 200 m/s]}",
-                    "fabrics.kevlar129.contact_thickness=0.2 mm"}),
-        comm);
+    Simulation simulation(scene_with({"projectile={shape: cylinder, diameter: 3 mm, length: 10 mm, mass: 0.5 "
+                                      "g, position: [1 mm, -1 mm, -5 mm], "
+                                      "velocity: [0, 0, 200 m/s]}",
+                                      "fabrics.kevlar129.contact_thickness=0.2 mm"}),
+                          comm);
     simulation.advance_forces();
     EXPECT_EQ(simulation.balance().deepest.element, -1);
     simulation.integrate();
@@ -120,7 +125,8 @@ TEST(Penetration, IsThatOfTheDeepestPointWithItsPlace) {
     simulation.integrate();
     simulation.model().projectile->position.z() = -5e-3;
     simulation.advance_forces();
-    EXPECT_EQ(simulation.balance().deepest.overlap, deepest.overlap) << "it stays when the projectile has gone";
+    EXPECT_EQ(simulation.balance().deepest.overlap, deepest.overlap)
+        << "it stays when the projectile has gone";
 }
 
 }  // namespace weavefront::solver::test

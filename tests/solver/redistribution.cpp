@@ -12,19 +12,22 @@ namespace weavefront::solver::test {
 namespace {
 
 /// Two plies on a frame that are perforated: every kind of memory that an element can have.
-const std::vector<std::string> perforated{"target.plies.count=2", "fabrics.kevlar129.failure={static_strain: 3.3 %, hooke_strain: 2.7 %}",
-                                          "target.edges={y: frame}", "target.frame={opening: {y: 16 mm}}",
-                                          "projectile.velocity=[0, 0, 600 m/s]"};
+const std::vector<std::string> perforated{
+    "target.plies.count=2", "fabrics.kevlar129.failure={static_strain: 3.3 %, hooke_strain: 2.7 %}",
+    "target.edges={y: frame}", "target.frame={opening: {y: 16 mm}}", "projectile.velocity=[0, 0, 600 m/s]"};
 
-/// A slack ply that does not break: its yarns, straightened and packed here and there, decide on the time step.
+/// A slack ply that does not break: its yarns, straightened and packed here and there, decide on the time
+/// step.
 const std::vector<std::string> slack{"target.size=[22 mm, 22 mm]", "fabrics.kevlar129.thickness=0.82 mm",
-                                     "projectile.velocity=[0, 0, 150 m/s]", "contact.projectile={stiffness: 1e12 N/m^3, unloading: 2}"};
+                                     "projectile.velocity=[0, 0, 150 m/s]",
+                                     "contact.projectile={stiffness: 1e12 N/m^3, unloading: 2}"};
 
 /// Owners that change from one round to the next without any order.
 partition::Decomposition scattered(const mesh::Panel& panel, int ranks, std::int64_t round) {
     partition::Decomposition decomposition{ranks, {}};
     for (std::int64_t c = 0; c < panel.columns(); ++c)
-        decomposition.owner.push_back(static_cast<std::int32_t>((c * 7 + c / panel.columns_x() * 3 + round) % ranks));
+        decomposition.owner.push_back(
+            static_cast<std::int32_t>((c * 7 + c / panel.columns_x() * 3 + round) % ranks));
     return decomposition;
 }
 
@@ -48,7 +51,8 @@ Balance expect_no_trace(const std::vector<std::string>& overrides, int steps) {
         }
         still.integrate();
         moved.integrate();
-        if (n % between == between / 2) moved.redistribute(scattered(moved.panel(), comm.size(), n / between));
+        if (n % between == between / 2)
+            moved.redistribute(scattered(moved.panel(), comm.size(), n / between));
         EXPECT_EQ(still.time(), moved.time()) << n;
     }
     still.advance_forces();

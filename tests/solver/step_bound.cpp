@@ -36,9 +36,11 @@ double largest_eigenvalue(const Matrix8& K, double shift) {
     return value;
 }
 
-/// Largest eigenvalue of an element of omega^2 `inside` in all uniform modes, with c u_i x u_j on some of its edges: 4 c over its mass is
-/// `coupling`, the unknowns are x and y of the four corners. Of the corners' values the gradients see the differences of opposite ones.
-double with_free_edges(double inside, double coupling, const std::vector<std::pair<std::size_t, std::size_t>>& edges) {
+/// Largest eigenvalue of an element of omega^2 `inside` in all uniform modes, with c u_i x u_j on some of its
+/// edges: 4 c over its mass is `coupling`, the unknowns are x and y of the four corners. Of the corners'
+/// values the gradients see the differences of opposite ones.
+double with_free_edges(double inside, double coupling,
+                       const std::vector<std::pair<std::size_t, std::size_t>>& edges) {
     Matrix8 K{};
     for (std::size_t i = 0; i < 8; ++i) K[i][i] = inside / 2, K[i][i ^ 2] = -inside / 2;
     for (const auto& [i, j] : edges) {
@@ -59,7 +61,8 @@ TEST(JointFrequency, IsTheEigenvalueOfAlongAndAcross) {
                 const double exact = (a + b) / 2 + std::hypot((a - b) / 2, contact * s * c);
                 const double bound = joint_frequency_squared(in_plane, out_of_plane, contact, s * s);
                 if (in_plane > out_of_plane) {
-                    EXPECT_NEAR(bound, exact, 1e-14 * exact) << in_plane << " " << out_of_plane << " " << angle;
+                    EXPECT_NEAR(bound, exact, 1e-14 * exact)
+                        << in_plane << " " << out_of_plane << " " << angle;
                     const double back = in_plane_of_joint(bound, out_of_plane, contact, s * s);
                     EXPECT_NEAR(bound > out_of_plane + contact * (1 + 1e-9) ? back : in_plane, in_plane, 1e-9)
                         << out_of_plane << " " << angle;
@@ -69,65 +72,81 @@ TEST(JointFrequency, IsTheEigenvalueOfAlongAndAcross) {
             }
 }
 
-// v' = v - dt (K x + C v), x' = x + dt v' has the eigenvalue -1 where K dt^2 + 2 C dt = 4: K + C omega = omega^2 with omega = 2/dt.
+// v' = v - dt (K x + C v), x' = x + dt v' has the eigenvalue -1 where K dt^2 + 2 C dt = 4: K + C omega =
+// omega^2 with omega = 2/dt.
 TEST(DampedFrequency, IsTheStabilityLimitOfCentralDifferences) {
     for (const double damping : {0.0, 0.1, 1.0, 5.0}) {
         const ContactModes contact{.stiffness = 1.3, .damping = damping};
         const double one_direction = damped_frequency_squared(0.7, 0.2, contact, 1);
-        EXPECT_NEAR(0.7 + 1.3 + damping * std::sqrt(one_direction), one_direction, 1e-3 * one_direction) << damping;
+        EXPECT_NEAR(0.7 + 1.3 + damping * std::sqrt(one_direction), one_direction, 1e-3 * one_direction)
+            << damping;
         EXPECT_GE(one_direction, (0.7 + 1.3 + damping * std::sqrt(one_direction)) * (1 - 1e-14)) << damping;
         const double at_right_angles = damped_frequency_squared(0.7, 0.2, contact, 0);
-        EXPECT_NEAR(0.2 + 1.3 + damping * std::sqrt(at_right_angles), at_right_angles, 1e-3 * at_right_angles) << damping;
-        EXPECT_NEAR(damped_frequency_squared(4.7e3, 0.2, contact, 0), 4.7e3, 1e-9) << damping;  // the fabric's own
+        EXPECT_NEAR(0.2 + 1.3 + damping * std::sqrt(at_right_angles), at_right_angles, 1e-3 * at_right_angles)
+            << damping;
+        EXPECT_NEAR(damped_frequency_squared(4.7e3, 0.2, contact, 0), 4.7e3, 1e-9)
+            << damping;  // the fabric's own
     }
 }
 
-// A free stack of plies with a spring u k and a damper 2 xi sqrt(k m/2) between each two: both matrices have the mode of alternating signs.
+// A free stack of plies with a spring u k and a damper 2 xi sqrt(k m/2) between each two: both matrices have
+// the mode of alternating signs.
 TEST(DampedFrequency, CountsTheHighestModeOfAStack) {
     for (const int plies : {2, 3, 8}) {
-        const auto scene = scene_with({"projectile=", "contact={plies: {stiffness: 1e13 N/m^3, unloading: 10, damping: 0.2}}",
-                                       "target.plies.count=" + std::to_string(plies)});
+        const auto scene = scene_with(
+            {"projectile=", "contact={plies: {stiffness: 1e13 N/m^3, unloading: 10, damping: 0.2}}",
+             "target.plies.count=" + std::to_string(plies)});
         double stretched = 0, moved = 0;
         for (int i = 0; i < plies; ++i) {
-            const auto at = [&](int ply) { return (ply % 2 == 0 ? 1 : -1) * std::sin(std::numbers::pi * (2 * ply + 1) / (2 * plies)); };
+            const auto at = [&](int ply) {
+                return (ply % 2 == 0 ? 1 : -1) * std::sin(std::numbers::pi * (2 * ply + 1) / (2 * plies));
+            };
             moved += at(i) * at(i);
             if (i + 1 < plies) stretched += std::pow(at(i + 1) - at(i), 2);
         }
         const double m = 0.204, k = 1e13, springs = stretched / moved;
         const auto modes = contact_modes(scene);
         EXPECT_NEAR(modes.stiffness, springs * 10 * k / m, 1e-12 * modes.stiffness) << plies;
-        EXPECT_NEAR(modes.damping, springs * 2 * 0.2 * std::sqrt(k * m / 2) / m, 1e-12 * modes.damping) << plies;
+        EXPECT_NEAR(modes.damping, springs * 2 * 0.2 * std::sqrt(k * m / 2) / m, 1e-12 * modes.damping)
+            << plies;
     }
 }
 
 TEST(FreeEdges, AddTheEigenvalueOfWhatIsLeftOnThem) {
     for (const double inside : {0.0, 0.1, 1.0, 20.0})
         for (const double coupling : {0.05, 1.0, 3.0}) {
-            const double edge = with_free_edges(inside, coupling, {{0, 1}}), corner = with_free_edges(inside, coupling, {{3, 0}, {0, 1}});
-            EXPECT_NEAR(inside + excess_on_edge(inside, coupling), edge, 1e-9 * edge);  // the power iteration's
+            const double edge = with_free_edges(inside, coupling, {{0, 1}}),
+                         corner = with_free_edges(inside, coupling, {{3, 0}, {0, 1}});
+            EXPECT_NEAR(inside + excess_on_edge(inside, coupling), edge,
+                        1e-9 * edge);  // the power iteration's
             const double bound = inside + excess_at_corner(inside, coupling);
             EXPECT_GE(bound, corner * (1 - 1e-9)) << inside << " " << coupling;
-            EXPECT_LE(bound, corner + 1e-3 * coupling) << inside << " " << coupling;  // six steps of a contraction by a sixth at the least
+            EXPECT_LE(bound, corner + 1e-3 * coupling)
+                << inside << " " << coupling;  // six steps of a contraction by a sixth at the least
         }
 }
 
-/// Pulls the fill of slack fabric straight within 20 steps, where |y| is at least `from`. Between two checks a step may be longer than the
-/// present state allows by half of what the safety factor leaves.
+/// Pulls the fill of slack fabric straight within 20 steps, where |y| is at least `from`. Between two checks
+/// a step may be longer than the present state allows by half of what the safety factor leaves.
 void straighten(const std::string& mesh, double from) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    const auto scene = scene_with({"projectile=", "contact=", "fabrics.kevlar129.thickness=0.82 mm",
-                                   "fabrics.kevlar129.lateral=", "fabrics.kevlar129.friction=", "target.mesh=" + mesh,
-                                   "target.edges={x: free, y: fixed}", "time.safety=0.9"});
+    const auto scene =
+        scene_with({"projectile=", "contact=", "fabrics.kevlar129.thickness=0.82 mm",
+                    "fabrics.kevlar129.lateral=", "fabrics.kevlar129.friction=", "target.mesh=" + mesh,
+                    "target.edges={x: free, y: fixed}", "time.safety=0.9"});
     Simulation simulation(scene, comm);
     const double rate = 2e4;  // 1/s
     set_motion(
         simulation, [](const Vec3& x) { return x; },
-        [&](const Vec3& x) { return std::abs(x.y()) < from ? Vec3(Vec3::Zero()) : Vec3(rate * x.x(), 0, 0); });
+        [&](const Vec3& x) {
+            return std::abs(x.y()) < from ? Vec3(Vec3::Zero()) : Vec3(rate * x.x(), 0, 0);
+        });
     const double longest = simulation.time_step();
     double shortest = longest;
     for (int n = 0; n < 60; ++n) {
         simulation.advance_forces();
-        const double fresh = StepBound(scene, simulation.panel()).frequency_squared(simulation.model(), {}, comm);
+        const double fresh =
+            StepBound(scene, simulation.panel()).frequency_squared(simulation.model(), {}, comm);
         const double allowed = scene.time.safety * 2 / std::sqrt(fresh);
         EXPECT_LE(simulation.time_step(), allowed * 1.05) << n;
         shortest = std::min(shortest, simulation.time_step());
@@ -138,7 +157,10 @@ void straighten(const std::string& mesh, double from) {
 
 TEST(StepBound, ShortensTheStepBeforeSlackYarnsAreStraight) { straighten("{center: 2 mm}", 0); }
 
-// The elements that straighten are as short as the square ones along the fill, and three times as long along the warp.
-TEST(StepBound, ShortensTheStepWhereOnlyOblongElementsStraighten) { straighten("{center: 1 mm, edge: 3 mm, growth: 1.6}", 3e-3); }
+// The elements that straighten are as short as the square ones along the fill, and three times as long along
+// the warp.
+TEST(StepBound, ShortensTheStepWhereOnlyOblongElementsStraighten) {
+    straighten("{center: 1 mm, edge: 3 mm, growth: 1.6}", 3e-3);
+}
 
 }  // namespace weavefront::solver::test

@@ -14,7 +14,8 @@ struct Case {
     StepLimit limit;
 };
 
-const std::vector<std::string> framed{"target.edges.x=frame", "target.frame={opening: {x: 12 mm}}", "projectile=", "contact.projectile="};
+const std::vector<std::string> framed{"target.edges.x=frame", "target.frame={opening: {x: 12 mm}}",
+                                      "projectile=", "contact.projectile="};
 
 std::vector<Case> cases() {
     auto soft = framed;
@@ -44,7 +45,8 @@ TEST(StepLimits, AreThoseOfTheFirstStepOfARun) {
 TEST(StepLimits, OfElementsAreThoseWithoutContact) {
     const auto scene = scene_with({"target.plies.count=3"});
     const auto bare = scene_with({"target.plies.count=3", "projectile=", "contact="});
-    EXPECT_EQ(step_limits(scene, mesh::make_panel(scene)).of_elements, step_limits(bare, mesh::make_panel(bare)).time_step);
+    EXPECT_EQ(step_limits(scene, mesh::make_panel(scene)).of_elements,
+              step_limits(bare, mesh::make_panel(bare)).time_step);
 }
 
 }  // namespace

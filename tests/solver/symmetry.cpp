@@ -8,9 +8,10 @@ namespace {
 
 /// The balance every tenth step.
 std::vector<Balance> history(const parallel::Communicator& comm, const std::string& symmetry, int steps) {
-    Simulation simulation(scene_with({"target.plies.count=2", "target.size=[32 mm, 24 mm]", "target.edges={x: fixed, y: free}",
-                                      "target.mesh={center: 1 mm, edge: 3 mm, growth: 1.2}", "target.symmetry=" + symmetry}),
-                          comm);
+    Simulation simulation(
+        scene_with({"target.plies.count=2", "target.size=[32 mm, 24 mm]", "target.edges={x: fixed, y: free}",
+                    "target.mesh={center: 1 mm, edge: 3 mm, growth: 1.2}", "target.symmetry=" + symmetry}),
+        comm);
     std::vector<Balance> rows;
     for (int n = 0; n <= steps; ++n) {
         simulation.advance_forces();
@@ -22,9 +23,10 @@ std::vector<Balance> history(const parallel::Communicator& comm, const std::stri
 
 }  // namespace
 
-// A mirrored element has the same forces but for rounding, and the fixed point rounds them to 2^-44 of a reference force that
-// gives the lightest node about a tenth of a wave speed (800 m/s) a step. Over 800 steps, all errors of one sign, velocities of up to 200
-// m/s differ by less than 800 * 800 * 2^-44 m/s = 3.6e-8 m/s, and with them energies by 2 * 3.6e-8/200 = 3.6e-10 of the initial one.
+// A mirrored element has the same forces but for rounding, and the fixed point rounds them to 2^-44 of a
+// reference force that gives the lightest node about a tenth of a wave speed (800 m/s) a step. Over 800
+// steps, all errors of one sign, velocities of up to 200 m/s differ by less than 800 * 800 * 2^-44 m/s
+// = 3.6e-8 m/s, and with them energies by 2 * 3.6e-8/200 = 3.6e-10 of the initial one.
 TEST(Symmetry, PartsOfTheTargetHaveTheHistoryOfTheWhole) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     constexpr int steps = 800;
@@ -39,8 +41,9 @@ TEST(Symmetry, PartsOfTheTargetHaveTheHistoryOfTheWhole) {
             SCOPED_TRACE(symmetry + ", row " + std::to_string(i));
             EXPECT_NEAR(part[i].time, full[i].time, 3.6e-10 * full[i].time);  // the step follows the strain
             EXPECT_NEAR(part[i].projectile_velocity.z(), full[i].projectile_velocity.z(), 3.6e-8);
-            for (const auto column : {&Balance::kinetic_fabric, &Balance::kinetic_projectile, &Balance::internal, &Balance::hourglass,
-                                      &Balance::contact, &Balance::friction})
+            for (const auto column :
+                 {&Balance::kinetic_fabric, &Balance::kinetic_projectile, &Balance::internal,
+                  &Balance::hourglass, &Balance::contact, &Balance::friction})
                 EXPECT_NEAR(part[i].*column, full[i].*column, 3.6e-10 * initial);
         }
     }

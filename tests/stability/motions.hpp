@@ -10,7 +10,8 @@ namespace weavefront::stability {
 
 using Prepare = std::function<void(solver::Simulation&)>;
 
-/// The fabric moves with v = (rate_x x, rate_y y, 0). @param rate_x, rate_y 1/s @param roughness of the plies along z, m
+/// The fabric moves with v = (rate_x x, rate_y y, 0). @param rate_x, rate_y 1/s @param roughness of the plies
+/// along z, m
 Prepare stretching(double rate_x, double rate_y, double roughness = 0);
 
 /// A clamped panel whose middle is driven together along x: v_x = -speed sin(2 pi x/length), 0 at the edges.

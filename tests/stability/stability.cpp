@@ -24,16 +24,19 @@ struct Options {
     std::filesystem::path csv, markdown;
 };
 
-bool is_named(const Case& trial, const Options& options) { return std::ranges::find(options.names, trial.name) != options.names.end(); }
+bool is_named(const Case& trial, const Options& options) {
+    return std::ranges::find(options.names, trial.name) != options.names.end();
+}
 
 /// The cases asked for, and those whose bits they must have.
 std::vector<Case> wanted(const Options& options) {
     const auto all = all_cases();
     std::vector<Case> chosen;
     for (const auto& trial : all) {
-        const bool model =
-            std::ranges::any_of(all, [&](const Case& copy) { return copy.same_as == trial.name && is_named(copy, options); });
-        if (options.names.empty() ? options.reduced && !trial.reduced : !model && !is_named(trial, options)) continue;
+        const bool model = std::ranges::any_of(
+            all, [&](const Case& copy) { return copy.same_as == trial.name && is_named(copy, options); });
+        if (options.names.empty() ? options.reduced && !trial.reduced : !model && !is_named(trial, options))
+            continue;
         chosen.push_back(trial);
         auto& overrides = chosen.back().overrides;
         overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
@@ -48,9 +51,11 @@ std::vector<Row> rows_of(const Options& options, const parallel::Communicator& c
         for (const std::string formulation : {"consistent", "paper"}) {
             if (options.formulation != "both" && options.formulation != formulation) continue;
             Row row{trial, formulation, run(trial, base_scene, formulation, comm), true};
-            const auto same = std::ranges::find_if(
-                rows, [&](const Row& other) { return other.trial.name == trial.same_as && other.formulation == formulation; });
-            row.ok = is_as_expected(trial, formulation, row.result, same == rows.end() ? nullptr : &same->result);
+            const auto same = std::ranges::find_if(rows, [&](const Row& other) {
+                return other.trial.name == trial.same_as && other.formulation == formulation;
+            });
+            row.ok =
+                is_as_expected(trial, formulation, row.result, same == rows.end() ? nullptr : &same->result);
             fmt::print("{}\n", text_of(row, 20));
             std::fflush(stdout);
             rows.push_back(row);
@@ -62,8 +67,8 @@ std::vector<Row> rows_of(const Options& options, const parallel::Communicator& c
 int print_table(const Options& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    fmt::print("{:<20}  {:<10}  {:>7}  {:>9}  {:>9}  {:>9}  {:>9}  {:>7}\n", "case", "", "steps", "error", "given", "by single",
-               "hourglass", "wall");
+    fmt::print("{:<20}  {:<10}  {:>7}  {:>9}  {:>9}  {:>9}  {:>9}  {:>7}\n", "case", "", "steps", "error",
+               "given", "by single", "hourglass", "wall");
     const auto rows = rows_of(options, comm);
     if (!options.csv.empty()) write_csv(options.csv, rows);
     if (!options.markdown.empty()) write_markdown(options.markdown, rows);
@@ -81,8 +86,10 @@ int main(int argc, char** argv) {
     CLI::App app("The hard cases: largest energy error, hourglass share and outcome of each");
     app.add_flag("--reduced", options.reduced, "Only the cases of the test");
     app.add_option("--case", options.names, "Only these cases");
-    app.add_option("--formulation", options.formulation, "Only this one")->check(CLI::IsMember({"paper", "consistent", "both"}));
-    app.add_option("--set", options.overrides, "Override a value of the cases' scenes, PATH=VALUE; may be given several times");
+    app.add_option("--formulation", options.formulation, "Only this one")
+        ->check(CLI::IsMember({"paper", "consistent", "both"}));
+    app.add_option("--set", options.overrides,
+                   "Override a value of the cases' scenes, PATH=VALUE; may be given several times");
     app.add_option("--csv", options.csv, "Write the table here, a row a case and formulation");
     app.add_option("--markdown", options.markdown, "Write the table here, a row a case");
     CLI11_PARSE(app, argc, argv);

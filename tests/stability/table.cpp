@@ -59,18 +59,21 @@ std::string quoted(std::string text) {
 /// The part of a markdown row that both formulations have.
 std::string numbers_of(const Row& row) {
     const auto& r = row.result;
-    return fmt::format("{} | {} | {} | {} | {} | {}{}", r.steps, percent(r.energy_error), percent(r.given), percent(r.given_by_single),
-                       percent(r.hourglass_share), row.ok ? "" : "NOT OK: ", outcome_of(r));
+    return fmt::format("{} | {} | {} | {} | {} | {}{}", r.steps, percent(r.energy_error), percent(r.given),
+                       percent(r.given_by_single), percent(r.hourglass_share),
+                       row.ok ? "" : "NOT OK: ", outcome_of(r));
 }
 
 }  // namespace
 
-bool is_as_expected(const Case& trial, const std::string& formulation, const Result& result, const Result* same) {
+bool is_as_expected(const Case& trial, const std::string& formulation, const Result& result,
+                    const Result* same) {
     if (!result.finite) return false;
     if (result.outcome != Outcome::finished && result.outcome != Outcome::stopped) return false;
     if (same && (same->bits != result.bits || same->steps != result.steps)) return false;
     if (formulation != "consistent") return true;
-    const bool closes = result.outcome == Outcome::finished && result.energy_error < energy_tolerance && result.given < energy_tolerance;
+    const bool closes = result.outcome == Outcome::finished && result.energy_error < energy_tolerance &&
+                        result.given < energy_tolerance;
     if (trial.expected == Expected::finish) return closes;
     if (trial.expected == Expected::guard) return result.outcome == Outcome::stopped;
     return closes || result.outcome == Outcome::stopped;
@@ -78,21 +81,26 @@ bool is_as_expected(const Case& trial, const std::string& formulation, const Res
 
 std::string text_of(const Row& row, std::size_t width) {
     const auto& r = row.result;
-    return fmt::format("{:<{}}  {:<10}  {:>7}  {:>9}  {:>9}  {:>9}  {:>9}  {:>5.1f} s  {:<6}  {}", row.trial.name, width, row.formulation,
-                       r.steps, percent(r.energy_error), percent(r.given), percent(r.given_by_single), percent(r.hourglass_share),
-                       r.seconds, row.ok ? "ok" : "NOT OK",
-                       outcome_of(r) + (row.trial.expected == Expected::finish ? "" : " [" + expectation_of(row.trial) + "]") +
-                           (r.finite ? "" : " NOT FINITE"));
+    return fmt::format(
+        "{:<{}}  {:<10}  {:>7}  {:>9}  {:>9}  {:>9}  {:>9}  {:>5.1f} s  {:<6}  {}", row.trial.name, width,
+        row.formulation, r.steps, percent(r.energy_error), percent(r.given), percent(r.given_by_single),
+        percent(r.hourglass_share), r.seconds, row.ok ? "ok" : "NOT OK",
+        outcome_of(r) +
+            (row.trial.expected == Expected::finish ? "" : " [" + expectation_of(row.trial) + "]") +
+            (r.finite ? "" : " NOT FINITE"));
 }
 
 void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows) {
     auto out = open(file);
-    out << "family,case,what,formulation,steps,time,energy_error,given,given_by_single,hourglass_share,outcome,expected,ok\n";
+    out << "family,case,what,formulation,steps,time,energy_error,given,given_by_single,hourglass_share,"
+           "outcome,expected,ok\n";
     for (const auto& row : rows) {
         const auto& r = row.result;
-        out << fmt::format("{},{},{},{},{},{:.9g},{:.3g},{:.3g},{:.3g},{:.3g},{},{},{}\n", row.trial.family, row.trial.name,
-                           quoted(row.trial.what), row.formulation, r.steps, r.time, r.energy_error, r.given, r.given_by_single,
-                           r.hourglass_share, quoted(outcome_of(r)), quoted(expectation_of(row.trial)), row.ok ? "ok" : "NOT OK");
+        out << fmt::format("{},{},{},{},{},{:.9g},{:.3g},{:.3g},{:.3g},{:.3g},{},{},{}\n", row.trial.family,
+                           row.trial.name, quoted(row.trial.what), row.formulation, r.steps, r.time,
+                           r.energy_error, r.given, r.given_by_single, r.hourglass_share,
+                           quoted(outcome_of(r)), quoted(expectation_of(row.trial)),
+                           row.ok ? "ok" : "NOT OK");
     }
 }
 
@@ -103,9 +111,11 @@ void write_markdown(const std::filesystem::path& file, const std::vector<Row>& r
     out << "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const auto& row : rows) {
         if (row.formulation != "consistent") continue;
-        const auto paper = std::ranges::find_if(
-            rows, [&](const Row& other) { return other.formulation == "paper" && other.trial.name == row.trial.name; });
-        out << fmt::format("| `{}` | {} | {} | {} | {} |\n", row.trial.name, row.trial.what, expectation_of(row.trial), numbers_of(row),
+        const auto paper = std::ranges::find_if(rows, [&](const Row& other) {
+            return other.formulation == "paper" && other.trial.name == row.trial.name;
+        });
+        out << fmt::format("| `{}` | {} | {} | {} | {} |\n", row.trial.name, row.trial.what,
+                           expectation_of(row.trial), numbers_of(row),
                            paper == rows.end() ? " | | | | |" : numbers_of(*paper));
     }
 }

@@ -19,12 +19,15 @@ struct Row {
     bool ok = true;
 };
 
-/// Largest energy error of a consistent run with a step at or below its bound, and most that a part of it may give out of nothing.
+/// Largest energy error of a consistent run with a step at or below its bound, and most that a part of it may
+/// give out of nothing.
 inline constexpr double energy_tolerance = 0.02;
 
-/// Whether the result is what the table says in advance. The paper's formulation has only to stay finite and to end.
+/// Whether the result is what the table says in advance. The paper's formulation has only to stay finite and
+/// to end.
 /// @param same the result whose bits this one must have; null: none
-bool is_as_expected(const Case& trial, const std::string& formulation, const Result& result, const Result* same);
+bool is_as_expected(const Case& trial, const std::string& formulation, const Result& result,
+                    const Result* same);
 
 /// One line of text. @param width of the first column
 std::string text_of(const Row& row, std::size_t width);

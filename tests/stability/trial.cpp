@@ -14,7 +14,8 @@ namespace weavefront::stability {
 
 namespace {
 
-// Steps between two looks at the energies: fast enough for an instability to be seen long before it overflows.
+// Steps between two looks at the energies: fast enough for an instability to be seen long before it
+// overflows.
 constexpr std::int64_t steps_between_rows = 10;
 
 // A run that takes this many times the steps that its first time step promises is taken to hang.
@@ -24,7 +25,8 @@ constexpr double most_steps = 50;
 class Fingerprint {
   public:
     void add(double value) {
-        for (auto bits = std::bit_cast<std::uint64_t>(value); bits != 0; bits >>= 8) hash_ = (hash_ ^ (bits & 0xff)) * 0x100000001b3ULL;
+        for (auto bits = std::bit_cast<std::uint64_t>(value); bits != 0; bits >>= 8)
+            hash_ = (hash_ ^ (bits & 0xff)) * 0x100000001b3ULL;
         hash_ = (hash_ ^ 0x100) * 0x100000001b3ULL;
     }
     [[nodiscard]] std::uint64_t value() const { return hash_; }
@@ -41,7 +43,8 @@ class GuardedRun {
 
     /// To the end. @throws solver::GuardStop
     void run() {
-        const double promised = trial_.steps > 0 ? static_cast<double>(trial_.steps) : scene_.time.end / simulation_.time_step();
+        const double promised =
+            trial_.steps > 0 ? static_cast<double>(trial_.steps) : scene_.time.end / simulation_.time_step();
         for (;;) {
             simulation_.advance_forces();
             const auto steps = result_.steps = simulation_.steps();
@@ -63,12 +66,14 @@ class GuardedRun {
         if (simulation_.steps() == 0) initial_ = row.total();
         turnover_ = std::max({turnover_, row.total() - row.kinetic_projectile, 0x1p-20 * initial_});
         const double error = (row.total() - initial_) / turnover_;
-        see({row.time, row.projectile.z(), row.projectile_velocity.z(), row.contact_force.z(), row.kinetic_fabric, row.kinetic_projectile,
-             row.internal, row.hourglass, row.contact, row.friction, row.damping, row.eroded, row.max_displacement, row.time_step, error});
+        see({row.time, row.projectile.z(), row.projectile_velocity.z(), row.contact_force.z(),
+             row.kinetic_fabric, row.kinetic_projectile, row.internal, row.hourglass, row.contact,
+             row.friction, row.damping, row.eroded, row.max_displacement, row.time_step, error});
         result_.time = row.time;
         result_.energy_error = std::max(result_.energy_error, std::abs(error));
         result_.hourglass_share = std::max(result_.hourglass_share, row.hourglass / turnover_);
-        result_.given = std::max(result_.given, -std::min({row.internal, row.friction, row.contact}) / turnover_);
+        result_.given =
+            std::max(result_.given, -std::min({row.internal, row.friction, row.contact}) / turnover_);
         result_.given_by_single = std::max(result_.given_by_single, given_by_elements() / turnover_);
         result_.broken_yarns = row.broken_yarns;
         result_.eroded_elements = row.eroded_elements;
@@ -79,7 +84,8 @@ class GuardedRun {
         solver::require_balance(guarded, scene_.limits.energy_error, simulation_.steps());
     }
 
-    /// What the yarns and the friction of elements have given beyond what they took, J: those that have not do not make up for it.
+    /// What the yarns and the friction of elements have given beyond what they took, J: those that have not
+    /// do not make up for it.
     [[nodiscard]] double given_by_elements() const {
         double given = 0;
         for (const auto& group : simulation_.model().groups)
@@ -94,11 +100,13 @@ class GuardedRun {
     void look_at_fields() {
         const auto& nodes = simulation_.model().nodes;
         for (std::size_t n = 0; n < nodes.x.size(); ++n)
-            see({nodes.x[n].x(), nodes.x[n].y(), nodes.x[n].z(), nodes.v[n].x(), nodes.v[n].y(), nodes.v[n].z()});
+            see({nodes.x[n].x(), nodes.x[n].y(), nodes.x[n].z(), nodes.v[n].x(), nodes.v[n].y(),
+                 nodes.v[n].z()});
         const auto elements = static_cast<std::int32_t>(simulation_.model().slots.size());
         for (std::int32_t e = 0; e < elements; ++e) {
             const auto out = simulation_.model().output(e);
-            see({out.strain_fill, out.strain_warp, out.stress_fill, out.stress_warp, out.braid_angle, out.crimp_height});
+            see({out.strain_fill, out.strain_warp, out.stress_fill, out.stress_warp, out.braid_angle,
+                 out.crimp_height});
         }
         result_.bits = fingerprint_.value();
     }
@@ -120,7 +128,8 @@ class GuardedRun {
 
 }  // namespace
 
-Result run(const Case& trial, const std::string& base, const std::string& formulation, const parallel::Communicator& comm) {
+Result run(const Case& trial, const std::string& base, const std::string& formulation,
+           const parallel::Communicator& comm) {
     Result result;
     const auto start = std::chrono::steady_clock::now();
     auto overrides = trial.overrides;

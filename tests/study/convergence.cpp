@@ -11,7 +11,8 @@ namespace {
 /// Errors of a method of an order over sizes 1, 1/2, 1/4, ...; halving costs eight times as much.
 std::vector<Point> series(double order, int points) {
     std::vector<Point> all;
-    for (int i = 0; i < points; ++i) all.push_back({std::pow(0.5, i), std::pow(8.0, i), 0.1 * std::pow(0.5, order * i)});
+    for (int i = 0; i < points; ++i)
+        all.push_back({std::pow(0.5, i), std::pow(8.0, i), 0.1 * std::pow(0.5, order * i)});
     return all;
 }
 

@@ -15,7 +15,8 @@ namespace {
 const double rounding = 1e-14;
 
 TEST(Distance, OfLinearCurvesIsThatOfTheIntegrals) {
-    const Curve up{{0, 2}, {0, 2}}, twice{{0, 2}, {0, 4}};  // t and 2 t on [0, 2]: every norm of the difference is half that of 2 t
+    const Curve up{{0, 2}, {0, 2}},
+        twice{{0, 2}, {0, 4}};  // t and 2 t on [0, 2]: every norm of the difference is half that of 2 t
     EXPECT_NEAR(distance(up, twice, scene::Norm::l1), 0.5, rounding);
     EXPECT_NEAR(distance(up, twice, scene::Norm::l2), 0.5, rounding);
     EXPECT_NEAR(distance(up, twice, scene::Norm::max), 0.5, rounding);
@@ -68,7 +69,8 @@ TEST_F(ColumnsFile, NameTheLineOfWhatIsNoNumber) {
         read("time,a\n0,1\n1,x\n");
         FAIL();
     } catch (const std::runtime_error& error) {
-        EXPECT_NE(std::string(error.what()).find("columns.csv:3:3: a: found 'x', allowed a finite number"), std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("columns.csv:3:3: a: found 'x', allowed a finite number"),
+                  std::string::npos)
             << error.what();
     }
 }
@@ -87,16 +89,18 @@ using Texts = std::vector<std::string>;
 
 TEST(MeasuredTable, EveryValueThatIsNoFiniteNumberHasItsPlace) {
     const std::string allowed = ", allowed a finite number or an empty cell";
-    EXPECT_EQ(
-        findings("time,a\n0,nan\n1,2\n-inf, inf\n1e999,0x10\n"),
-        (Texts{"t.csv:2:3: a: found 'nan'" + allowed, "t.csv:4:1: time: found '-inf'" + allowed, "t.csv:4:7: a: found 'inf'" + allowed,
-               "t.csv:5:1: time: found '1e999'" + allowed, "t.csv:5:7: a: found '0x10'" + allowed}));
+    EXPECT_EQ(findings("time,a\n0,nan\n1,2\n-inf, inf\n1e999,0x10\n"),
+              (Texts{"t.csv:2:3: a: found 'nan'" + allowed, "t.csv:4:1: time: found '-inf'" + allowed,
+                     "t.csv:4:7: a: found 'inf'" + allowed, "t.csv:5:1: time: found '1e999'" + allowed,
+                     "t.csv:5:7: a: found '0x10'" + allowed}));
 }
 
 TEST(MeasuredTable, ARowCutShortIsAFaultAlsoAtTheEnd) {
-    EXPECT_EQ(findings("time,a\n0\n1,2\n3"), (Texts{"t.csv:2:1: found 1 cells, allowed 2, one a column of the header",
-                                                    "t.csv:4:1: found 1 cells, allowed 2, one a column of the header"}));
-    EXPECT_EQ(findings("time,a,time\n0,1,2\n"), (Texts{"t.csv:1:8: found the column 'time' again, allowed once"}));
+    EXPECT_EQ(findings("time,a\n0\n1,2\n3"),
+              (Texts{"t.csv:2:1: found 1 cells, allowed 2, one a column of the header",
+                     "t.csv:4:1: found 1 cells, allowed 2, one a column of the header"}));
+    EXPECT_EQ(findings("time,a,time\n0,1,2\n"),
+              (Texts{"t.csv:1:8: found the column 'time' again, allowed once"}));
     EXPECT_EQ(findings(""), (Texts{"t.csv:1:1: found nothing, allowed a header and rows of numbers"}));
 }
 

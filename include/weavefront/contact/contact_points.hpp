@@ -16,12 +16,16 @@ namespace weavefront::contact {
 class ContactPoints {
   public:
     /// @param corners, spanned those of the facet and of the part that its points span, m
-    ContactPoints(const QuadratureRule& rule, const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& spanned);
+    ContactPoints(const QuadratureRule& rule, const std::array<Vec3, 4>& corners,
+                  const std::array<Vec3, 4>& spanned);
 
     /// A bound from below of the distance of any of the points to a box, m; 0 where none was found.
-    [[nodiscard]] double min_distance(const NodeBox& box) const { return std::sqrt(box_.squared_distance(box)); }
+    [[nodiscard]] double min_distance(const NodeBox& box) const {
+        return std::sqrt(box_.squared_distance(box));
+    }
 
-    /// The same to another facet: closer than to the box around it, and dearer. @param corners of the other, m
+    /// The same to another facet: closer than to the box around it, and dearer. @param corners of the other,
+    /// m
     [[nodiscard]] double min_distance(const std::array<Vec3, 4>& corners) const;
 
   private:

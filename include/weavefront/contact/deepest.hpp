@@ -8,7 +8,8 @@
 
 namespace weavefront::contact {
 
-/// The contact point whose overlap is the largest part of the thickness at which its sides touch. It counts whether it presses or not.
+/// The contact point whose overlap is the largest part of the thickness at which its sides touch. It counts
+/// whether it presses or not.
 struct Deepest {
     double overlap = 0;         ///< m
     double in_thicknesses = 0;  ///< the same over the contact thickness
@@ -20,7 +21,9 @@ struct Deepest {
     /// @return whether it is the other
     bool include(const Deepest& other) {
         const bool deeper = other.in_thicknesses > in_thicknesses;
-        if (!deeper && !(other.in_thicknesses == in_thicknesses && other.element >= 0 && other.element < element)) return false;
+        if (!deeper &&
+            !(other.in_thicknesses == in_thicknesses && other.element >= 0 && other.element < element))
+            return false;
         *this = other;
         return true;
     }

@@ -13,21 +13,29 @@ namespace weavefront::contact {
 /// Patches of at most 16 neighbouring facets, each of one ply.
 class FacetGroups {
   public:
-    /// Appends groups of the facets with local indices from `first` to before `end`, in place of those appended from `first` on before.
+    /// Appends groups of the facets with local indices from `first` to before `end`, in place of those
+    /// appended from `first` on before.
     void group(const Surface& surface, std::span<const Vec3> x, std::int32_t first, std::int32_t end);
 
     [[nodiscard]] std::int32_t count() const { return static_cast<std::int32_t>(first_.size()) - 1; }
-    [[nodiscard]] std::span<const std::int32_t> facets(std::int32_t group) const { return within(facets_, first_, group); }
+    [[nodiscard]] std::span<const std::int32_t> facets(std::int32_t group) const {
+        return within(facets_, first_, group);
+    }
     /// How many facets are in the groups before.
-    [[nodiscard]] std::size_t before(std::int32_t group) const { return static_cast<std::size_t>(first_[static_cast<std::size_t>(group)]); }
+    [[nodiscard]] std::size_t before(std::int32_t group) const {
+        return static_cast<std::size_t>(first_[static_cast<std::size_t>(group)]);
+    }
     /// Nodes of its facets, each once.
-    [[nodiscard]] std::span<const std::int32_t> nodes(std::int32_t group) const { return within(nodes_, first_node_, group); }
+    [[nodiscard]] std::span<const std::int32_t> nodes(std::int32_t group) const {
+        return within(nodes_, first_node_, group);
+    }
 
   private:
-    static std::span<const std::int32_t> within(const std::vector<std::int32_t>& all, const std::vector<std::int32_t>& first,
-                                                std::int32_t group) {
+    static std::span<const std::int32_t> within(const std::vector<std::int32_t>& all,
+                                                const std::vector<std::int32_t>& first, std::int32_t group) {
         const auto g = static_cast<std::size_t>(group);
-        return std::span(all).subspan(static_cast<std::size_t>(first[g]), static_cast<std::size_t>(first[g + 1] - first[g]));
+        return std::span(all).subspan(static_cast<std::size_t>(first[g]),
+                                      static_cast<std::size_t>(first[g + 1] - first[g]));
     }
     void split(const Surface& surface, const std::vector<Vec3>& centres, std::span<std::int32_t> facets);
 

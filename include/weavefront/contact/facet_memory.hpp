@@ -15,7 +15,9 @@ class FacetMemory {
     explicit FacetMemory(std::int32_t facets) : slots_(static_cast<std::size_t>(facets), -1) {}
 
     /// That of a facet; null: none.
-    [[nodiscard]] Memory* find(std::int32_t facet) { return slot(facet) < 0 ? nullptr : &memories_[static_cast<std::size_t>(slot(facet))]; }
+    [[nodiscard]] Memory* find(std::int32_t facet) {
+        return slot(facet) < 0 ? nullptr : &memories_[static_cast<std::size_t>(slot(facet))];
+    }
     [[nodiscard]] const Memory* find(std::int32_t facet) const {
         return slot(facet) < 0 ? nullptr : &memories_[static_cast<std::size_t>(slot(facet))];
     }
@@ -40,7 +42,9 @@ class FacetMemory {
     }
 
   private:
-    [[nodiscard]] std::int32_t slot(std::int32_t facet) const { return slots_[static_cast<std::size_t>(facet)]; }
+    [[nodiscard]] std::int32_t slot(std::int32_t facet) const {
+        return slots_[static_cast<std::size_t>(facet)];
+    }
 
     std::vector<std::int32_t> slots_;  ///< of each facet, or -1
     std::vector<Memory> memories_;

@@ -43,7 +43,8 @@ class FacetRanges {
     [[nodiscard]] Iterator end() const { return Iterator(runs_.data() + runs_.size()); }
     [[nodiscard]] bool empty() const { return runs_.empty(); }
 
-    /// Calls `visit` with those of the first 32 facets whose bits are set, in their order, until it returns false.
+    /// Calls `visit` with those of the first 32 facets whose bits are set, in their order, until it returns
+    /// false.
     template <class Visit>
     void visit_some(std::uint32_t slots, const Visit& visit) const {
         for (const auto& run : runs_) {
@@ -68,7 +69,8 @@ class FacetLists {
 
     void add(std::int32_t facet) {
         const bool new_list = static_cast<std::int32_t>(runs_.size()) == first_.back();
-        if (!new_list && runs_.back().count < FacetRange::longest && facet == runs_.back().begin + runs_.back().count)
+        if (!new_list && runs_.back().count < FacetRange::longest &&
+            facet == runs_.back().begin + runs_.back().count)
             ++runs_.back().count;
         else
             runs_.push_back({facet, 1});
@@ -80,8 +82,8 @@ class FacetLists {
     [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
     [[nodiscard]] FacetRanges of(std::int32_t list) const {
         const auto l = static_cast<std::size_t>(list);
-        return FacetRanges(
-            std::span(runs_).subspan(static_cast<std::size_t>(first_[l]), static_cast<std::size_t>(first_[l + 1] - first_[l])));
+        return FacetRanges(std::span(runs_).subspan(static_cast<std::size_t>(first_[l]),
+                                                    static_cast<std::size_t>(first_[l + 1] - first_[l])));
     }
 
   private:

@@ -10,8 +10,8 @@
 
 namespace weavefront::contact {
 
-/// Straight bars on both sides of an opening, without end outwards and in z, rounded where they meet the opening; inflated by half the
-/// thickness of the fabric.
+/// Straight bars on both sides of an opening, without end outwards and in z, rounded where they meet the
+/// opening; inflated by half the thickness of the fabric.
 class FrameShape {
   public:
     /// @param top    height of the surface on which the last ply rests, m

@@ -20,16 +20,16 @@ namespace weavefront::contact {
 class FrameContact {
   public:
     /// The last ply of `surface` rests on the frame at the start. @param x initial positions, m
-    FrameContact(const scene::Frame& frame, const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
-                 std::span<const Vec3> x);
+    FrameContact(const scene::Frame& frame, const scene::ContactLaw& law, std::optional<double> spacing,
+                 const Surface& surface, std::span<const Vec3> x);
 
     /// Appends the forces at the present positions.
     /// @param normals of the plies, at these positions
     /// @param v       velocities over the last step, m/s
     /// @param dt      the last step, s
     /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
-    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                  double sliding_share, ContactForces& forces);
+    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
+                  std::span<const Vec3> v, double dt, double sliding_share, ContactForces& forces);
 
     /// Memory of the points of an owned facet, to be taken up on another rank.
     void save(std::int32_t facet, std::vector<double>& record) const;

@@ -1,7 +1,8 @@
 #pragma once
 /// @file
-/// Eight contact points of one facet at once. Loops over lanes are left to the compiler to vectorise; the lanes of a batch are always the
-/// same points of the same facet, so what a lane yields may depend on the others and is still the same on every rank.
+/// Eight contact points of one facet at once. Loops over lanes are left to the compiler to vectorise; the
+/// lanes of a batch are always the same points of the same facet, so what a lane yields may depend on the
+/// others and is still the same on every rank.
 
 #include <array>
 #include <bit>
@@ -43,9 +44,12 @@ inline Vec3 at_point(const std::array<Vec3, 4>& corners, const std::array<Lanes,
 inline VectorLanes interpolate(const std::array<Vec3, 4>& corners, const std::array<Lanes, 4>& N) {
     VectorLanes out;
     for (std::size_t i = 0; i < batch_width; ++i) {
-        out.x[i] = N[0][i] * corners[0].x() + N[1][i] * corners[1].x() + N[2][i] * corners[2].x() + N[3][i] * corners[3].x();
-        out.y[i] = N[0][i] * corners[0].y() + N[1][i] * corners[1].y() + N[2][i] * corners[2].y() + N[3][i] * corners[3].y();
-        out.z[i] = N[0][i] * corners[0].z() + N[1][i] * corners[1].z() + N[2][i] * corners[2].z() + N[3][i] * corners[3].z();
+        out.x[i] = N[0][i] * corners[0].x() + N[1][i] * corners[1].x() + N[2][i] * corners[2].x() +
+                   N[3][i] * corners[3].x();
+        out.y[i] = N[0][i] * corners[0].y() + N[1][i] * corners[1].y() + N[2][i] * corners[2].y() +
+                   N[3][i] * corners[3].y();
+        out.z[i] = N[0][i] * corners[0].z() + N[1][i] * corners[1].z() + N[2][i] * corners[2].z() +
+                   N[3][i] * corners[3].z();
     }
     return out;
 }

@@ -12,8 +12,8 @@
 
 namespace weavefront::contact {
 
-/// Normals of nodes as the area-weighted mean over the facets around them, computed when asked for. The facets around a node add up in
-/// global order, so that every rank that knows them gets the same bits.
+/// Normals of nodes as the area-weighted mean over the facets around them, computed when asked for. The
+/// facets around a node add up in global order, so that every rank that knows them gets the same bits.
 class NodalNormals {
   public:
     /// Finds the facets around each node. @param nodes number of local nodes, ghosts included

@@ -11,8 +11,8 @@
 
 namespace weavefront::contact {
 
-/// Axis-aligned box around the places or velocities of some nodes. A fourth number goes along with the three, whatever it may be: four are
-/// loaded and compared as fast as one.
+/// Axis-aligned box around the places or velocities of some nodes. A fourth number goes along with the three,
+/// whatever it may be: four are loaded and compared as fast as one.
 class NodeBox {
   public:
     NodeBox() = default;
@@ -25,7 +25,8 @@ class NodeBox {
     }
     NodeBox(std::span<const Vec3> values, std::int32_t first) : low_(load(values, first)), high_(low_) {}
     /// @param nodes of a facet
-    NodeBox(std::span<const Vec3> values, const std::array<std::int32_t, 4>& nodes) : NodeBox(values, nodes[0]) {
+    NodeBox(std::span<const Vec3> values, const std::array<std::int32_t, 4>& nodes)
+        : NodeBox(values, nodes[0]) {
         for (std::size_t a = 1; a < 4; ++a) add(values, nodes[a]);
     }
     explicit NodeBox(const Box& box) {
@@ -54,7 +55,8 @@ class NodeBox {
   private:
     [[nodiscard]] static Eigen::Array4d load(std::span<const Vec3> values, std::int32_t node) {
         const auto n = static_cast<std::size_t>(node);
-        if (n + 1 == values.size()) return {values[n].x(), values[n].y(), values[n].z(), 0};  // nothing stands after it
+        if (n + 1 == values.size())
+            return {values[n].x(), values[n].y(), values[n].z(), 0};  // nothing stands after it
         return Eigen::Map<const Eigen::Array4d>(values[n].data());
     }
 

@@ -22,29 +22,37 @@
 
 namespace weavefront::contact {
 
-/// Integration points of a facet look along the smoothed normal of their ply for the next ply that is not eroded there. The force acts
-/// along that line on both sides, so momentum and angular momentum stay as they are.
+/// Integration points of a facet look along the smoothed normal of their ply for the next ply that is not
+/// eroded there. The force acts along that line on both sides, so momentum and angular momentum stay as they
+/// are.
 ///
-/// A facet that cannot touch anything before others have approached by some distance is left alone until they have.
+/// A facet that cannot touch anything before others have approached by some distance is left alone until they
+/// have.
 class PlyContact {
   public:
     /// @param x initial positions, m
-    PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x);
+    PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
+               std::span<const Vec3> x);
 
-    /// Chooses the facets that may meet while no node is more than half of `skin` away from where it is expected in x or y; to be called
-    /// again then, or when facets were eroded or ghosts changed. @param x present positions, m
-    void update_candidates(const Surface& surface, const SweptBounds& swept, std::span<const Vec3> x, double skin);
+    /// Chooses the facets that may meet while no node is more than half of `skin` away from where it is
+    /// expected in x or y; to be called again then, or when facets were eroded or ghosts changed. @param x
+    /// present positions, m
+    void update_candidates(const Surface& surface, const SweptBounds& swept, std::span<const Vec3> x,
+                           double skin);
 
     /// Appends the forces at the present positions.
     /// @param normals of the plies, at these positions
-    /// @param v       velocities over the last step, m/s: nodes have moved by `dt` times these since the last call
+    /// @param v       velocities over the last step, m/s: nodes have moved by `dt` times these since the last
+    /// call
     /// @param dt      the last step, s
     /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
-    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-                  double sliding_share, ContactForces& forces);
+    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
+                  std::span<const Vec3> v, double dt, double sliding_share, ContactForces& forces);
 
-    /// Owned facets whose middle lies behind one of the next ply, as seen along their normals; rims of holes do not count.
-    [[nodiscard]] std::vector<std::int32_t> behind_next_ply(const Surface& surface, std::span<const Vec3> x) const;
+    /// Owned facets whose middle lies behind one of the next ply, as seen along their normals; rims of holes
+    /// do not count.
+    [[nodiscard]] std::vector<std::int32_t> behind_next_ply(const Surface& surface,
+                                                            std::span<const Vec3> x) const;
 
     /// Whether any point of an owned facet remembers a penetration.
     [[nodiscard]] bool touches(std::int32_t facet) const { return memory_.holds(facet); }
@@ -62,9 +70,11 @@ class PlyContact {
     };
     /// What a facet knows of its candidates. There is one for every element of a rank.
     struct [[gnu::packed]] CullingState {
-        float until = 0;          ///< approach of the group up to which it holds, m; where it waits for its own, what is left to these
-        std::int32_t first = -1;  ///< the nearest candidate, or -1: not known; where the facet waits, the one that was
-        Shortlist near;           ///< of the candidates
+        float until = 0;  ///< approach of the group up to which it holds, m; where it waits for its own, what
+                          ///< is left to these
+        std::int32_t first =
+            -1;          ///< the nearest candidate, or -1: not known; where the facet waits, the one that was
+        Shortlist near;  ///< of the candidates
         Culled culled = Culled::no;
     };
     static_assert(sizeof(CullingState) == 17);
@@ -85,19 +95,22 @@ class PlyContact {
         bool touching = false;
     };
     [[nodiscard]] std::span<CullingState> culling_states(std::int32_t group) {
-        return std::span(culling_).subspan(relative_motion_.before(group), relative_motion_.facets(group).size());
+        return std::span(culling_).subspan(relative_motion_.before(group),
+                                           relative_motion_.facets(group).size());
     }
     void evaluate_group(std::int32_t group, const Now& now, ContactForces& forces);
     /// By how much a facet and its near candidates may have approached over the last step, m.
     [[nodiscard]] double own_approach(std::int32_t facet, const Shortlist& near, const Now& now) const;
     /// Whether what a facet knows no longer holds.
-    [[nodiscard]] bool expired(CullingState& state, std::int32_t facet, double accumulated, const Now& now) const;
+    [[nodiscard]] bool expired(CullingState& state, std::int32_t facet, double accumulated,
+                               const Now& now) const;
     void recheck(std::int32_t facet, CullingState& state, std::int32_t group, const Now& now);
     void evaluate_facet(std::int32_t facet, std::int32_t first, const Now& now, ContactForces& forces);
-    void press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points, std::size_t near, LaneMask& open,
-               const Now& now, ContactForces& forces);
+    void press(Slave& slave, const QuadratureBatch& batch, const Rays& rays, PenetrationLanes& points,
+               std::size_t near, LaneMask& open, const Now& now, ContactForces& forces);
     [[nodiscard]] const PenaltyLaw& law(std::int32_t ply, std::int32_t other) const {
-        return laws_[weights_[static_cast<std::size_t>(ply)] * different_weights_ + weights_[static_cast<std::size_t>(other)]];
+        return laws_[weights_[static_cast<std::size_t>(ply)] * different_weights_ +
+                     weights_[static_cast<std::size_t>(other)]];
     }
 
     ContactDistances distances_;
@@ -110,7 +123,8 @@ class PlyContact {
     RayTargets targets_;                 ///< of the facet at hand
     std::vector<std::int32_t> pair_of_;  ///< of each of `targets_`: its place among the forces, or -1
     std::vector<CullingState> culling_;  ///< of the owned facets, group by group
-    std::vector<double> due_;            ///< of each group: when its first facet has to be looked at, as bounded by RelativeMotionBound, m
+    std::vector<double> due_;  ///< of each group: when its first facet has to be looked at, as bounded by
+                               ///< RelativeMotionBound, m
     // of the owned facets
     std::vector<std::uint8_t> rules_;
     PointMemory memory_;

@@ -11,11 +11,12 @@
 
 namespace weavefront::contact {
 
-/// Where a point of the fabric came in. A point keeps its side until it has been outside, so that the contact normal does not jump
-/// between the face and the side of the projectile at a sharp edge.
+/// Where a point of the fabric came in. A point keeps its side until it has been outside, so that the contact
+/// normal does not jump between the face and the side of the projectile at a sharp edge.
 enum class Side : std::uint8_t { none, front, side, rear };
 
-/// Sphere, or cylinder about z with rounded rims, inflated by half the thickness of the fabric; the nose points to +z.
+/// Sphere, or cylinder about z with rounded rims, inflated by half the thickness of the fabric; the nose
+/// points to +z.
 class ProjectileShape {
   public:
     /// @param offset distance from the projectile's surface at which the fabric's mid-surface touches it, m

@@ -21,26 +21,28 @@ struct ProjectileState {
     Vec3 velocity{0, 0, 0};  ///< m/s
 };
 
-/// Integrated contact pushes along the smoothed normals of the plies, as contact between them does; contact at the nodes along those of the
-/// projectile.
+/// Integrated contact pushes along the smoothed normals of the plies, as contact between them does; contact
+/// at the nodes along those of the projectile.
 class ProjectileContact {
   public:
     /// @param x initial positions, for the integration points, m
-    ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law, std::optional<double> spacing,
-                      const Surface& surface, std::span<const Vec3> x);
+    ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law,
+                      std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x);
 
-    /// Chooses the owned facets that may come under the projectile while no node, nor the projectile, is more than half of `skin` away from
-    /// where it is expected in x or y.
+    /// Chooses the owned facets that may come under the projectile while no node, nor the projectile, is more
+    /// than half of `skin` away from where it is expected in x or y.
     /// @param way footprint of the way of the projectile's nose
-    void update_candidates(const Surface& surface, const SweptBounds& swept, const Footprint& way, double skin);
+    void update_candidates(const Surface& surface, const SweptBounds& swept, const Footprint& way,
+                           double skin);
 
     /// Appends the forces at the present positions.
     /// @param normals of the plies, at these positions
     /// @param v       velocities over the last step, m/s
     /// @param dt      the last step, s
     /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
-    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x, std::span<const Vec3> v,
-                  const ProjectileState& projectile, double dt, double sliding_share, ContactForces& forces);
+    void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
+                  std::span<const Vec3> v, const ProjectileState& projectile, double dt, double sliding_share,
+                  ContactForces& forces);
 
     /// Owned facets that may come under the projectile before the next search.
     [[nodiscard]] std::span<const std::int32_t> candidates() const { return candidates_; }

@@ -12,12 +12,14 @@
 
 namespace weavefront::contact {
 
-/// Each bar of the frame presses on the point of the projectile that is foremost towards it, along its own normal. The pressure of the
-/// projectile's contact law acts on the cross-section of the projectile. Every rank computes the same.
+/// Each bar of the frame presses on the point of the projectile that is foremost towards it, along its own
+/// normal. The pressure of the projectile's contact law acts on the cross-section of the projectile. Every
+/// rank computes the same.
 class ProjectileOnFrame {
   public:
     /// @param top height of the surface on which the last ply rests, m
-    ProjectileOnFrame(const scene::Projectile& projectile, const scene::Frame& frame, const scene::ContactLaw& law, double top);
+    ProjectileOnFrame(const scene::Projectile& projectile, const scene::Frame& frame,
+                      const scene::ContactLaw& law, double top);
 
     /// Force on the projectile at its present position, N.
     /// @param dt the last step, s

@@ -11,18 +11,21 @@
 
 namespace weavefront::contact {
 
-/// Normals of a ply at the corners of a facet, of any length; none: the body pushes along its own normal, as in node-to-surface contact.
+/// Normals of a ply at the corners of a facet, of any length; none: the body pushes along its own normal, as
+/// in node-to-surface contact.
 using PlyNormals = std::optional<std::array<Vec3, 4>>;
 
 /// Directions in which a body without friction pushes the points of a facet.
 ///
-/// Edges and flat faces push along the normal of the ply, so that they do not pull on the yarns: the normals of ply and body differ where
-/// an edge presses into the ply, and tensions would not be handed on from one side of the edge to the other. A ply seen at more than 60
-/// deg, as at the rim of a hole, leaves along the normal of the body.
+/// Edges and flat faces push along the normal of the ply, so that they do not pull on the yarns: the normals
+/// of ply and body differ where an edge presses into the ply, and tensions would not be handed on from one
+/// side of the edge to the other. A ply seen at more than 60 deg, as at the rim of a hole, leaves along the
+/// normal of the body.
 ///
-/// A round body whose curvature the elements resolve pushes along its own normal where the ply is wrapped around it: the work of the force
-/// then is what the overlap stores. Where the ply is flat, it pushes along the normal of the ply, along which sliding changes nothing. In
-/// between, the curvature of the ply over that of the body decides.
+/// A round body whose curvature the elements resolve pushes along its own normal where the ply is wrapped
+/// around it: the work of the force then is what the overlap stores. Where the ply is flat, it pushes along
+/// the normal of the ply, along which sliding changes nothing. In between, the curvature of the ply over that
+/// of the body decides.
 class PushDirections {
   public:
     /// @param corners of the facet, m @param area of the facet, m2

@@ -13,7 +13,8 @@
 
 namespace weavefront::contact {
 
-/// Up to eight points of a quad: shape functions and shares of its area. Lanes beyond `count` repeat the last point with no share.
+/// Up to eight points of a quad: shape functions and shares of its area. Lanes beyond `count` repeat the last
+/// point with no share.
 struct QuadratureBatch {
     std::array<Lanes, 4> N{};
     Lanes share{};
@@ -22,7 +23,8 @@ struct QuadratureBatch {
 
 using QuadratureRule = std::vector<QuadratureBatch>;
 
-/// Midpoints of an n x m subdivision; n = 0: the corners, each with a quarter of the area (contact at the nodes).
+/// Midpoints of an n x m subdivision; n = 0: the corners, each with a quarter of the area (contact at the
+/// nodes).
 QuadratureRule quadrature(int n, int m);
 
 /// Rules of the elements of a mesh: points no farther apart than a spacing in the reference configuration.
@@ -30,7 +32,8 @@ class Quadrature {
   public:
     /// @param spacing largest distance between points, m; none: contact at the nodes
     /// @param most    points along an edge at the most
-    explicit Quadrature(std::optional<double> spacing, int most = std::numeric_limits<int>::max()) : spacing_(spacing), most_(most) {}
+    explicit Quadrature(std::optional<double> spacing, int most = std::numeric_limits<int>::max())
+        : spacing_(spacing), most_(most) {}
 
     /// Index of the rule for an element with these corners (m).
     std::int32_t rule_for(const std::array<Vec3, 4>& corners);
@@ -49,7 +52,8 @@ class Quadrature {
   private:
     struct Rule {
         int n, m;
-        mutable QuadratureRule points;  ///< none before the rule is first used: most elements never touch anything
+        mutable QuadratureRule
+            points;  ///< none before the rule is first used: most elements never touch anything
     };
     std::optional<double> spacing_;
     int most_;

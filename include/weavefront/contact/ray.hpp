@@ -24,8 +24,8 @@ struct RayHits {
     Lanes distance;  ///< along the direction, m; negative when the facet lies behind
 };
 
-/// Meets the bilinear facet, whose normal must not point against the direction of a line. A point on the edge between two facets is found
-/// by at least one of them.
+/// Meets the bilinear facet, whose normal must not point against the direction of a line. A point on the edge
+/// between two facets is found by at least one of them.
 /// @param corners of the facet, m
 RayHits intersect(const Rays& rays, const std::array<Vec3, 4>& corners);
 

@@ -22,11 +22,12 @@ class RayTargets {
     /// Starts with none, for another facet at hand. @param corners of the facet, m
     void start(const Facet& facet, const std::array<Vec3, 4>& corners);
 
-    /// Adds what of some candidates its lines may touch. The one that is there already stays the first. A ply hides those behind it where
-    /// it comes within the touching depth, as seen along z, and none of its facets there is on a rim: what was near a rim at the time of
-    /// the search for candidates does not matter.
-    void add(const FacetRanges& candidates, NormalRays& rays, const Surface& surface, const ContactDistances& distances,
-             std::span<const Vec3> x);
+    /// Adds what of some candidates its lines may touch. The one that is there already stays the first. A ply
+    /// hides those behind it where it comes within the touching depth, as seen along z, and none of its
+    /// facets there is on a rim: what was near a rim at the time of the search for candidates does not
+    /// matter.
+    void add(const FacetRanges& candidates, NormalRays& rays, const Surface& surface,
+             const ContactDistances& distances, std::span<const Vec3> x);
 
     [[nodiscard]] std::size_t size() const { return targets_.size(); }
     [[nodiscard]] std::int32_t operator[](std::size_t k) const { return targets_[k].facet; }

@@ -50,7 +50,8 @@ void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet
 }
 
 /// Rules of the initial shapes of a surface's owned facets. @param x initial positions, m
-inline mesh::Repeated<std::int32_t> rules_for(Quadrature& quadrature, const Surface& surface, std::span<const Vec3> x) {
+inline mesh::Repeated<std::int32_t> rules_for(Quadrature& quadrature, const Surface& surface,
+                                              std::span<const Vec3> x) {
     mesh::Repeated<std::int32_t> rules;
     rules.one_ply.reserve(surface.areas.one_ply.size());
     for (std::size_t f = 0; f < surface.areas.one_ply.size(); ++f)
@@ -66,8 +67,9 @@ inline mesh::Repeated<std::int32_t> rules_for(Quadrature& quadrature, const Surf
 /// @param normals function that gives the PlyNormals of the facet, called when the first point is in the body
 /// @param forces  what the facet does is appended
 template <class Point, class DepthOf, class NormalsOf>
-void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt, double sliding_share,
-           RigidMemory<Point>& memory, DepthOf depth, NormalsOf normals, ContactForces& forces) {
+void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
+           double sliding_share, RigidMemory<Point>& memory, DepthOf depth, NormalsOf normals,
+           ContactForces& forces) {
     auto& points = memory.points;
     if (points.empty()) points.resize(pair.rule.size() * batch_width);
     const auto corners = corners_of(pair.facet.nodes, x), velocities = corners_of(pair.facet.nodes, v);
@@ -83,7 +85,8 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
             const Vec3 place(position.x[i], position.y[i], position.z[i]);
             const std::optional<Depth> found = depth(place, point);
             if (!found && point.penetration.overlap == 0) continue;
-            if (found) forces.deepest.include({found->depth, found->depth / pair.thickness, place, pair.facet.id});
+            if (found)
+                forces.deepest.include({found->depth, found->depth / pair.thickness, place, pair.facet.id});
             if (!directions) directions.emplace(normals(), corners, pair.area);
             const auto at = found ? *found : directions->left_behind(pair.away, batch.N, i);
             const Vec3 direction = directions->at(at, batch.N, i);
@@ -91,7 +94,8 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
             const double closing = relative.dot(direction);
             // The depth is a distance: it changes by no more than the sides move.
             const RelativeMotion motion{closing, closing * direction.dot(at.normal), relative.norm()};
-            const auto response = pair.law.advance(point.penetration, at.depth, motion, dt, batch.share[i], around);
+            const auto response =
+                pair.law.advance(point.penetration, at.depth, motion, dt, batch.share[i], around);
             memory.dissipated_budget += response.dissipated;
             sliding.add(response.sliding);
             sum.add(response.pressure * pair.area * batch.share[i] * direction, batch.N, i);
@@ -101,7 +105,8 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
     if (sliding.is_any()) forces.sliding.push_back(sliding.times(pair.area));
 }
 
-/// Appends the memory of a facet for another rank: its dissipated budget (J/m2) and the penetrations of its points.
+/// Appends the memory of a facet for another rank: its dissipated budget (J/m2) and the penetrations of its
+/// points.
 template <class Point>
 void save_points(const RigidMemory<Point>& memory, std::vector<double>& record) {
     record.insert(record.end(), {memory.dissipated_budget, static_cast<double>(memory.points.size())});

@@ -4,16 +4,20 @@
 
 namespace weavefront::contact {
 
-/// Sliding does no work along the force of contact. What it stores in points ahead of a curved side comes from the points behind.
-/// Per area, J/m2, or of a facet, J.
+/// Sliding does no work along the force of contact. What it stores in points ahead of a curved side comes
+/// from the points behind. Per area, J/m2, or of a facet, J.
 struct SlidingEnergy {
     double released = 0;  ///< by points that sliding opens
     double taken = 0;     ///< by points that it closes
     double wanted = 0;    ///< what these would have taken for all of their overlap
 
-    void add(const SlidingEnergy& other) { released += other.released, taken += other.taken, wanted += other.wanted; }
+    void add(const SlidingEnergy& other) {
+        released += other.released, taken += other.taken, wanted += other.wanted;
+    }
 
-    [[nodiscard]] SlidingEnergy times(double factor) const { return {factor * released, factor * taken, factor * wanted}; }
+    [[nodiscard]] SlidingEnergy times(double factor) const {
+        return {factor * released, factor * taken, factor * wanted};
+    }
     [[nodiscard]] bool is_any() const { return released > 0 || wanted > 0; }
 };
 

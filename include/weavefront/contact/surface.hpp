@@ -13,7 +13,8 @@
 
 namespace weavefront::contact {
 
-/// A quad of a ply. There is one for every element of a rank, so its numbers take no more room than they need.
+/// A quad of a ply. There is one for every element of a rank, so its numbers take no more room than they
+/// need.
 struct Facet {
     std::int64_t id : 48;  ///< global element
     std::int32_t ply : 16;
@@ -37,11 +38,12 @@ struct PlyProperties {
 struct Surface {
     std::vector<Facet> facets;        ///< owned ones first
     std::vector<std::uint8_t> alive;  ///< of each facet
-    /// Of each facet: it has lost a neighbour, one that shared a node with it, or is on an edge of its ply that may move. None as long as
-    /// all facets are alive: a ply is then met only by those next to it.
+    /// Of each facet: it has lost a neighbour, one that shared a node with it, or is on an edge of its ply
+    /// that may move. None as long as all facets are alive: a ply is then met only by those next to it.
     std::vector<std::uint8_t> on_free_edge;
-    std::int32_t owned = 0;        ///< number of owned facets
-    mesh::Repeated<double> areas;  ///< initial areas of the owned facets, m2: these repeat as the initial shapes do
+    std::int32_t owned = 0;  ///< number of owned facets
+    mesh::Repeated<double>
+        areas;  ///< initial areas of the owned facets, m2: these repeat as the initial shapes do
     std::vector<PlyProperties> plies;
     std::array<bool, 2> symmetry{};  ///< the plane x = 0 (y = 0) is one of symmetry
 };
@@ -51,11 +53,15 @@ struct Box {
     Vec3 low, high;
 
     static Box around(const std::array<Vec3, 4>& c) {
-        return {c[0].cwiseMin(c[1]).cwiseMin(c[2].cwiseMin(c[3])), c[0].cwiseMax(c[1]).cwiseMax(c[2].cwiseMax(c[3]))};
+        return {c[0].cwiseMin(c[1]).cwiseMin(c[2].cwiseMin(c[3])),
+                c[0].cwiseMax(c[1]).cwiseMax(c[2].cwiseMax(c[3]))};
     }
     static Box around(const Facet& facet, std::span<const Vec3> x) {
-        const auto at = [&](std::size_t a) -> const Vec3& { return x[static_cast<std::size_t>(facet.nodes[a])]; };
-        return {at(0).cwiseMin(at(1)).cwiseMin(at(2).cwiseMin(at(3))), at(0).cwiseMax(at(1)).cwiseMax(at(2).cwiseMax(at(3)))};
+        const auto at = [&](std::size_t a) -> const Vec3& {
+            return x[static_cast<std::size_t>(facet.nodes[a])];
+        };
+        return {at(0).cwiseMin(at(1)).cwiseMin(at(2).cwiseMin(at(3))),
+                at(0).cwiseMax(at(1)).cwiseMax(at(2).cwiseMax(at(3)))};
     }
 
     [[nodiscard]] bool meets(const Box& other) const {
@@ -66,7 +72,8 @@ struct Box {
 /// What a facet presses on.
 enum class Master : std::uint8_t { facet, projectile, frame };
 
-/// Contact forces between one facet and another, or a rigid body: summed over the points of the pair, shared out to the nodes.
+/// Contact forces between one facet and another, or a rigid body: summed over the points of the pair, shared
+/// out to the nodes.
 struct PairForce {
     std::array<std::int32_t, 4> slave{}, master{};
     std::array<Vec3, 4> on_slave, on_master;  ///< N
@@ -79,12 +86,15 @@ struct PairForce {
         on_master.fill(Vec3::Zero());
     }
     /// Fabric against a rigid body, which has no nodes.
-    PairForce(const std::array<std::int32_t, 4>& slave_nodes, Master rigid) : PairForce(slave_nodes, std::array<std::int32_t, 4>{}) {
+    PairForce(const std::array<std::int32_t, 4>& slave_nodes, Master rigid)
+        : PairForce(slave_nodes, std::array<std::int32_t, 4>{}) {
         kind = rigid;
     }
 
-    /// The force at one point of a batch. @param on_slave_point N @param slave_N, master_N shape functions of the two facets
-    void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N, const std::array<Lanes, 4>& master_N, std::size_t lane) {
+    /// The force at one point of a batch. @param on_slave_point N @param slave_N, master_N shape functions of
+    /// the two facets
+    void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N,
+             const std::array<Lanes, 4>& master_N, std::size_t lane) {
         add(on_slave_point, slave_N, lane);
         for (std::size_t a = 0; a < 4; ++a) on_master[a] -= master_N[a][lane] * on_slave_point;
     }
@@ -95,12 +105,15 @@ struct PairForce {
 };
 
 /// Values of the corners of a facet.
-inline std::array<Vec3, 4> corners_of(const std::array<std::int32_t, 4>& nodes, std::span<const Vec3> values) {
+inline std::array<Vec3, 4> corners_of(const std::array<std::int32_t, 4>& nodes,
+                                      std::span<const Vec3> values) {
     return {values[static_cast<std::size_t>(nodes[0])], values[static_cast<std::size_t>(nodes[1])],
             values[static_cast<std::size_t>(nodes[2])], values[static_cast<std::size_t>(nodes[3])]};
 }
 
 /// Mean of the corners of a facet.
-inline Vec3 centre_of(const std::array<Vec3, 4>& corners) { return (corners[0] + corners[1] + corners[2] + corners[3]) / 4; }
+inline Vec3 centre_of(const std::array<Vec3, 4>& corners) {
+    return (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+}
 
 }  // namespace weavefront::contact

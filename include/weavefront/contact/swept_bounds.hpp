@@ -24,13 +24,13 @@ struct Footprint {
     }
     /// Whether `other` comes within `reach` of this one; never when this one is empty.
     [[nodiscard]] bool near(const Footprint& other, double reach) const {
-        return other.x_low <= x_high + reach && other.x_high >= x_low - reach && other.y_low <= y_high + reach &&
-               other.y_high >= y_low - reach;
+        return other.x_low <= x_high + reach && other.x_high >= x_low - reach &&
+               other.y_low <= y_high + reach && other.y_high >= y_low - reach;
     }
 };
 
-/// Footprints of nodes on their way ahead. Fragments that fly fast but straight stay in theirs, and ask for no search on the way. Single
-/// precision: some nanometres are nothing to the skin of a search.
+/// Footprints of nodes on their way ahead. Fragments that fly fast but straight stay in theirs, and ask for
+/// no search on the way. Single precision: some nanometres are nothing to the skin of a search.
 class SweptBounds {
   public:
     SweptBounds() = default;
@@ -42,7 +42,8 @@ class SweptBounds {
 
     [[nodiscard]] bool empty() const { return middles_.empty(); }
     [[nodiscard]] Footprint of_node(std::size_t node) const {
-        const double x = middles_[node][0], y = middles_[node][1], half_x = halves_[node][0], half_y = halves_[node][1];
+        const double x = middles_[node][0], y = middles_[node][1], half_x = halves_[node][0],
+                     half_y = halves_[node][1];
         return {x - half_x, x + half_x, y - half_y, y + half_y};
     }
     [[nodiscard]] Footprint of(const Facet& facet) const {
@@ -54,7 +55,8 @@ class SweptBounds {
     /// From now on a node is expected everywhere.
     void ignore(std::size_t node) { halves_[node].fill(std::numeric_limits<float>::max()); }
 
-    /// Whether one of the first nodes is farther than `margin` from its footprint along x or y. @param x of these nodes, m
+    /// Whether one of the first nodes is farther than `margin` from its footprint along x or y. @param x of
+    /// these nodes, m
     [[nodiscard]] bool any_outside(std::span<const Vec3> x, double margin) const;
 
   private:

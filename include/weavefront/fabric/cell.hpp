@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// One step of the cell, the material point of a fabric: IT04 section 2 from the yarns' stretches and angle to the stress.
+/// One step of the cell, the material point of a fabric: IT04 section 2 from the yarns' stretches and angle
+/// to the stress.
 
 #include "weavefront/fabric/crimp.hpp"
 #include "weavefront/fabric/friction.hpp"
@@ -8,10 +9,12 @@
 
 namespace weavefront::fabric {
 
-/// Shortest and longest yarn stretch that the kernel takes literally; beyond them its products would leave the range of a double.
+/// Shortest and longest yarn stretch that the kernel takes literally; beyond them its products would leave
+/// the range of a double.
 inline constexpr double smallest_stretch = 1e-40, largest_stretch = 1e40;
 
-/// What the cell pulls with: Kirchhoff resultants t_e tau per reference area in the bisector frame, N/m, and that frame.
+/// What the cell pulls with: Kirchhoff resultants t_e tau per reference area in the bisector frame, N/m, and
+/// that frame.
 template <class Real>
 struct Response {
     Real T_xx, T_yy, T_xy;      ///< N/m
@@ -59,24 +62,28 @@ template <Features F, class Real>
     const BarLengths<Real> L = bar_lengths<F>(c, state);
     const Real eps_f = (L.fill - c.length) * c.inverse_length, eps_w = (L.warp - c.length) * c.inverse_length;
     if constexpr (F.viscous) return {eps_f, eps_w, state.sigma_f, state.sigma_w};
-    return {eps_f, eps_w, c.static_modulus * eps_f * state.intact_f, c.static_modulus * eps_w * state.intact_w};
+    return {eps_f, eps_w, c.static_modulus * eps_f * state.intact_f,
+            c.static_modulus * eps_w * state.intact_w};
 }
 
 /// Height of the fill's crossover at the end of the step (consistent), m.
 template <Features F, class Real, class Search>
-[[nodiscard]] WEAVEFRONT_INLINE Real crossover_height(const Bars<Real>& bars, const State<Real>& state, double half_thickness,
-                                                      Search search) {
+[[nodiscard]] WEAVEFRONT_INLINE Real crossover_height(const Bars<Real>& bars, const State<Real>& state,
+                                                      double half_thickness, Search search) {
     const auto balanced = [&](const Bars<Real>& yarns) __attribute__((always_inline)) {
-        const Real delta = balance_crossover(EndBalance<Real>{yarns}, Real(-yarns.h_f), yarns.h_w, half_thickness, nullptr, search);
+        const Real delta = balance_crossover(EndBalance<Real>{yarns}, Real(-yarns.h_f), yarns.h_w,
+                                             half_thickness, nullptr, search);
         return clamp(Real(yarns.h_f + delta), Real(0.0), Real(half_thickness));  // (36)
     };
     if constexpr (F.failure) {
         const Real whole = state.intact_f * state.intact_w;
         if (any(whole < 1.0)) {
             Bars<Real> whole_cells = bars;  // elsewhere nothing is to be sought
-            for (auto* law : {&whole_cells.law_f, &whole_cells.law_w}) law->offset *= whole, law->slope *= whole;
+            for (auto* law : {&whole_cells.law_f, &whole_cells.law_w})
+                law->offset *= whole, law->slope *= whole;
             const Real height = balanced(whole_cells);
-            const Real of_fill = select(state.intact_f > 0.0, lone_height(bars.a_f, bars.law_f, half_thickness), height);
+            const Real of_fill =
+                select(state.intact_f > 0.0, lone_height(bars.a_f, bars.law_f, half_thickness), height);
             const Real of_warp = Real(half_thickness) - lone_height(bars.a_w, bars.law_w, half_thickness);
             return select(whole < 1.0, select(state.intact_w > 0.0, of_warp, of_fill), height);
         }
@@ -85,10 +92,11 @@ template <Features F, class Real, class Search>
 }
 
 /// Brings the yarns to the end of the step: crimp interchange, stress, failure; IT04 (18)-(36).
-/// @param state crossover height, stresses and intact flags are updated; the stretches are still those of the start
+/// @param state crossover height, stresses and intact flags are updated; the stretches are still those of the
+/// start
 template <Features F, class Real, class Search>
-WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step& step, State<Real>& state, const Real& lambda_f,
-                                                 const Real& lambda_w, Search search) {
+WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step& step, State<Real>& state,
+                                                 const Real& lambda_f, const Real& lambda_w, Search search) {
     const double half_span = 0.5 * c.span;
     const double half_thickness = 0.5 * c.thickness;
     const BarLengths<Real> before = bar_lengths<F>(c, state);
@@ -107,9 +115,12 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
                                        .a_mid_w = 0.5 * (state.lambda_w + lambda_w) * half_span,
                                        .sigma_f = old.sigma_f,
                                        .sigma_w = old.sigma_w};
-        const Real delta = balance_crossover(balance, Real(-bars.h_f), bars.h_w, half_thickness, nullptr, search);
+        const Real delta =
+            balance_crossover(balance, Real(-bars.h_f), bars.h_w, half_thickness, nullptr, search);
         state.h_f = clamp(Real(bars.h_f + delta), Real(0.0), Real(half_thickness));  // (36)
-        if constexpr (F.friction) result.crossover = c.area * smaller_positive(balance.fill(delta).force, balance.warp(delta).force);
+        if constexpr (F.friction)
+            result.crossover =
+                c.area * smaller_positive(balance.fill(delta).force, balance.warp(delta).force);
     } else if constexpr (F.crimp) {
         state.h_f = crossover_height<F>(bars, state, half_thickness, search);
     }
@@ -125,8 +136,9 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
         result.cos_beta_f = bars.a_f * inverse_f;
         result.cos_beta_w = bars.a_w * inverse_w;
         if constexpr (F.friction) {
-            result.crossover = c.area * smaller_positive(Real(state.sigma_f * state.h_f * inverse_f),
-                                                         Real(state.sigma_w * (half_thickness - state.h_f) * inverse_w));
+            result.crossover =
+                c.area * smaller_positive(Real(state.sigma_f * state.h_f * inverse_f),
+                                          Real(state.sigma_w * (half_thickness - state.h_f) * inverse_w));
         }
     }
     if constexpr (F.failure) {
@@ -136,19 +148,23 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
     return result;
 }
 
-/// Stress as printed but for friction, IT04 (39)-(42),(48), times t_e J: resultants in the bisector frame, N/m.
+/// Stress as printed but for friction, IT04 (39)-(42),(48), times t_e J: resultants in the bisector frame,
+/// N/m.
 template <Features F, class Real>
-[[nodiscard]] WEAVEFRONT_INLINE PlaneTensor<Real> stress_as_printed(const Constants& c, State<Real>& state, const Real& lambda_f,
-                                                                    const Real& lambda_w, const Trellis<Real>& now, const Real& J) {
+[[nodiscard]] WEAVEFRONT_INLINE PlaneTensor<Real> stress_as_printed(const Constants& c, State<Real>& state,
+                                                                    const Real& lambda_f,
+                                                                    const Real& lambda_w,
+                                                                    const Trellis<Real>& now, const Real& J) {
     if constexpr (F.lateral) {
         const Trellis<Real> before = trellis_of(state.cos_2theta);
-        pack_yarns_as_printed(c, state, strain_increment(state.lambda_f, state.lambda_w, before, lambda_f, lambda_w, now), now);
+        pack_yarns_as_printed(
+            c, state, strain_increment(state.lambda_f, state.lambda_w, before, lambda_f, lambda_w, now), now);
     }
     const double share = 2.0 * c.area / (c.span * c.effective_thickness);  // (39)
-    const PlaneTensor<Real> fill =
-        to_bisector_frame(Real(share * state.sigma_f), state.sigma_22_f, state.sigma_12_f, now.cos_theta, now.sin_theta);
-    const PlaneTensor<Real> warp =
-        to_bisector_frame(Real(share * state.sigma_w), state.sigma_22_w, state.sigma_12_w, now.cos_theta, Real(-now.sin_theta));
+    const PlaneTensor<Real> fill = to_bisector_frame(Real(share * state.sigma_f), state.sigma_22_f,
+                                                     state.sigma_12_f, now.cos_theta, now.sin_theta);
+    const PlaneTensor<Real> warp = to_bisector_frame(Real(share * state.sigma_w), state.sigma_22_w,
+                                                     state.sigma_12_w, now.cos_theta, Real(-now.sin_theta));
     const Real scale = 0.5 * c.effective_thickness * J;
     return {scale * (fill.xx + warp.xx), scale * (fill.yy + warp.yy), scale * (fill.xy + warp.xy)};
 }
@@ -157,8 +173,9 @@ template <Features F, class Real>
 /// @param n forces at the end of the step, without friction; @param friction those of friction
 /// @param friction_before those of friction at its start
 template <Features F, class Real>
-WEAVEFRONT_INLINE void add_work(State<Real>& state, const Real& lambda_f, const Real& lambda_w, const Real& dtheta, const Forces<Real>& n,
-                                const Forces<Real>& friction, const Forces<Real>& friction_before) {
+WEAVEFRONT_INLINE void add_work(State<Real>& state, const Real& lambda_f, const Real& lambda_w,
+                                const Real& dtheta, const Forces<Real>& n, const Forces<Real>& friction,
+                                const Forces<Real>& friction_before) {
     const Real dlambda_f = lambda_f - state.lambda_f, dlambda_w = lambda_w - state.lambda_w;
     const Real inverse = 1.0 / (lambda_f * lambda_w);
     const Real per_f = lambda_w * inverse, per_w = lambda_f * inverse;
@@ -182,13 +199,14 @@ WEAVEFRONT_INLINE void add_work(State<Real>& state, const Real& lambda_f, const 
 /// Advances the cell by one step and returns its resultants.
 /// Work per reference area is added up in `state`, that of friction apart.
 /// @param c, step     of the fabric and the time step
-/// @param state       of the start on entry, of the end on return; a yarn that breaks carries nothing from this step's end on
+/// @param state       of the start on entry, of the end on return; a yarn that breaks carries nothing from
+/// this step's end on
 /// @param lambda_f, lambda_w stretches of the yarn spans at the end of the step, positive
 /// @param cos_2theta  cosine of the angle between the yarns at the end of the step, d_f . d_w
 /// @param search      of the crimp equilibrium
 template <Features F, class Real, class Search = StatedSearch>
-WEAVEFRONT_INLINE Response<Real> advance(const Constants& c, const Step& step, State<Real>& state, Real lambda_f, Real lambda_w,
-                                         Real cos_2theta, Search search = {}) {
+WEAVEFRONT_INLINE Response<Real> advance(const Constants& c, const Step& step, State<Real>& state,
+                                         Real lambda_f, Real lambda_w, Real cos_2theta, Search search = {}) {
     lambda_f = clamp(lambda_f, Real(smallest_stretch), Real(largest_stretch));
     lambda_w = clamp(lambda_w, Real(smallest_stretch), Real(largest_stretch));
     const Trellis<Real> now = trellis_of(cos_2theta);
@@ -208,7 +226,8 @@ WEAVEFRONT_INLINE Response<Real> advance(const Constants& c, const Step& step, S
         n = forces(T, now);
         if constexpr (F.friction) {
             friction_before = {state.friction_stretch, state.friction_stretch, state.friction_turn};
-            const PlaneTensor<Real> rubbing = friction_as_printed(c, slip_moment(c, yarns.crossover, now), now, dtheta, J);
+            const PlaneTensor<Real> rubbing =
+                friction_as_printed(c, slip_moment(c, yarns.crossover, now), now, dtheta, J);
             T.xx += rubbing.xx;
             T.yy += rubbing.yy;
             friction = forces(rubbing, now);

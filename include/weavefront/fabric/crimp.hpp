@@ -21,24 +21,28 @@ template <class Real>
     return sqrt(a * a + h * h);
 }
 
-/// F_f - F_w up to a positive factor, and the Newton step (F_f - F_w)/d(F_f - F_w)/ddelta that it asks delta to give up.
+/// F_f - F_w up to a positive factor, and the Newton step (F_f - F_w)/d(F_f - F_w)/ddelta that it asks delta
+/// to give up.
 template <class Real>
 struct Imbalance {
-    Real force;   ///< only its sign and its zero count: N (EndBalance, cleared of denominators) or Pa (MidBalance)
+    Real force;   ///< only its sign and its zero count: N (EndBalance, cleared of denominators) or Pa
+                  ///< (MidBalance)
     Real newton;  ///< m
 };
 
-/// Height of the crossover of a yarn whose partner is broken: nothing presses on it, so it lies where the yarn carries nothing, or as near
-/// to that as the heights allow: taut at 0, compressed at t/2. (29) has a second root at 0 wherever the yarn is slack, at which no yarn
-/// stays.
+/// Height of the crossover of a yarn whose partner is broken: nothing presses on it, so it lies where the
+/// yarn carries nothing, or as near to that as the heights allow: taut at 0, compressed at t/2. (29) has a
+/// second root at 0 wherever the yarn is slack, at which no yarn stays.
 /// @param a half span at the end of the step, m
 template <class Real>
-[[nodiscard]] WEAVEFRONT_INLINE Real lone_height(const Real& a, const AxialLaw<Real>& law, double half_thickness) {
+[[nodiscard]] WEAVEFRONT_INLINE Real lone_height(const Real& a, const AxialLaw<Real>& law,
+                                                 double half_thickness) {
     const Real slack_length = max(Real(law.reference - law.offset / law.slope), Real(0.0));
     return min(sqrt(max(Real(slack_length * slack_length - a * a), Real(0.0))), half_thickness);
 }
 
-/// (29) at the end of the step (consistent), cleared of denominators as IT04 (35): one division per evaluation.
+/// (29) at the end of the step (consistent), cleared of denominators as IT04 (35): one division per
+/// evaluation.
 template <class Real>
 struct EndBalance {
     Bars<Real> bars;
@@ -72,14 +76,16 @@ struct MidBalance {
     };
 
     /// @param d rise of this yarn's crossover over the step, m
-    [[nodiscard]] WEAVEFRONT_INLINE static Lift lift(const Real& a_mid, const Real& a, const Real& h, const Real& d, const Real& sigma,
+    [[nodiscard]] WEAVEFRONT_INLINE static Lift lift(const Real& a_mid, const Real& a, const Real& h,
+                                                     const Real& d, const Real& sigma,
                                                      const AxialLaw<Real>& law) {
         const Real h_mid = h + 0.5 * d, h_end = h + d;
         const Real inverse_mid = 1.0 / bar_length(a_mid, h_mid);
         const Real L_end = bar_length(a, h_end);
         const Real sigma_mid = 0.5 * (sigma + law.stress(L_end));
         const Real sine = h_mid * inverse_mid, cosine = a_mid * inverse_mid;
-        return {sine * sigma_mid, 0.5 * (cosine * cosine * inverse_mid * sigma_mid + sine * law.slope * h_end / L_end)};
+        return {sine * sigma_mid,
+                0.5 * (cosine * cosine * inverse_mid * sigma_mid + sine * law.slope * h_end / L_end)};
     }
 
     [[nodiscard]] WEAVEFRONT_INLINE Lift fill(const Real& delta) const {
@@ -98,15 +104,17 @@ struct MidBalance {
 
 /// Newton steps tried before the search only halves its bracket.
 inline constexpr int newton_limit = 16;
-/// A Newton step below this part of t/2 is the last: convergence is quadratic, so it leaves an error of about its square.
+/// A Newton step below this part of t/2 is the last: convergence is quadratic, so it leaves an error of about
+/// its square.
 inline constexpr double newton_tolerance = 1e-8;
 /// A bracket below this part of t/2 is at the rounding of the heights.
 inline constexpr double bracket_tolerance = 1e-15;
-/// No search takes more evaluations than this: the first, `newton_limit`, one at the bound, and 50 halvings down to
-/// `bracket_tolerance`, 2^-50 < 1e-15.
+/// No search takes more evaluations than this: the first, `newton_limit`, one at the bound, and 50 halvings
+/// down to `bracket_tolerance`, 2^-50 < 1e-15.
 inline constexpr int evaluation_limit = 1 + newton_limit + 1 + 50;
 
-/// How exact the search is, as a type: the kernels know the stated tolerance when they are compiled. A study may ask for another one.
+/// How exact the search is, as a type: the kernels know the stated tolerance when they are compiled. A study
+/// may ask for another one.
 struct StatedSearch {
     /// Last Newton step over t/2.
     [[nodiscard]] static constexpr double tolerance() { return newton_tolerance; }
@@ -115,17 +123,19 @@ struct StatedSearch {
 };
 
 /// Change `delta` of the crossover height that balances the yarns, within [lower, upper] around zero.
-/// The root is sought from delta = 0 towards the side to which the imbalance pushes. With both yarns in tension the imbalance grows
-/// strictly with delta and the root is unique; otherwise, where the imbalance keeps its sign up to the bound, the bound is the answer.
-/// Newton steps that leave the bracket become the bound (once) or the middle of the bracket, so that neither compression nor a broken
-/// yarn can make the search fail. Each lane goes its own way and freezes when it is done.
+/// The root is sought from delta = 0 towards the side to which the imbalance pushes. With both yarns in
+/// tension the imbalance grows strictly with delta and the root is unique; otherwise, where the imbalance
+/// keeps its sign up to the bound, the bound is the answer. Newton steps that leave the bracket become the
+/// bound (once) or the middle of the bracket, so that neither compression nor a broken yarn can make the
+/// search fail. Each lane goes its own way and freezes when it is done.
 /// @param balance     EndBalance or MidBalance
 /// @param lower, upper bounds of delta, m; lower <= 0 <= upper, upper - lower = t/2
 /// @param half_thickness t/2, m
 /// @param evaluations receives the number of evaluations of the slowest lane when not null
 /// @param search      how exact
 template <class Real, class Balance, class Search = StatedSearch>
-[[nodiscard]] WEAVEFRONT_INLINE Real balance_crossover(const Balance& balance, const Real& lower, const Real& upper, double half_thickness,
+[[nodiscard]] WEAVEFRONT_INLINE Real balance_crossover(const Balance& balance, const Real& lower,
+                                                       const Real& upper, double half_thickness,
                                                        int* evaluations = nullptr, Search search = {}) {
     using Mask = MaskOf<Real>;
     Real delta = 0.0;
@@ -140,8 +150,8 @@ template <class Real, class Balance, class Search = StatedSearch>
     for (; any(open) && count < evaluation_limit; ++count) {
         const Real newton = delta - now.newton;
         Mask inside = (newton > low) & (newton < high);
-        const Mask last =
-            (inside & (abs(now.newton) <= search.tolerance() * half_thickness)) | (high - low <= bracket_tolerance * half_thickness);
+        const Mask last = (inside & (abs(now.newton) <= search.tolerance() * half_thickness)) |
+                          (high - low <= bracket_tolerance * half_thickness);
         if (count > newton_limit) inside = inside & last;
         const Mask at_bound = open & (!inside) & (!last) & bound_untried;
         const Real elsewhere = select(at_bound, bound, Real(0.5 * (low + high)));

@@ -49,7 +49,8 @@ inline constexpr int feature_sets = 48;
             .failure = index / 8 % 2 == 1};
 }
 
-/// Calls `call.template operator()<F>()` with the feature set that equals `features`: the step from scene to compiled kernel.
+/// Calls `call.template operator()<F>()` with the feature set that equals `features`: the step from scene to
+/// compiled kernel.
 /// @throws std::logic_error when no set equals it
 template <int index = 0, class Call>
 decltype(auto) with_features(const Features& features, Call&& call) {

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Eight 64-bit integers and their exact passage to and from packs: bit for bit what the conversions of one number do.
+/// Eight 64-bit integers and their exact passage to and from packs: bit for bit what the conversions of one
+/// number do.
 
 #include <cstdint>
 #include <cstring>
@@ -16,7 +17,8 @@ struct alignas(64) Integers {
     /// @param from eight integers, anywhere
     WEAVEFRONT_INLINE static Integers load(const std::int64_t* from) {
         Integers result;
-        for (int i = 0; i < registers; ++i) std::memcpy(&result.part[i], from + i * register_width, sizeof(Bits));
+        for (int i = 0; i < registers; ++i)
+            std::memcpy(&result.part[i], from + i * register_width, sizeof(Bits));
         return result;
     }
     /// @param to room for eight integers, 64-byte aligned
@@ -44,8 +46,9 @@ WEAVEFRONT_INLINE Integers nearest(const Pack& a) {
 #if defined(__AVX512DQ__)
         result.part[i] = reinterpret_cast<Bits>(_mm512_maskz_cvtpd_epi64(0xff, a.part[i]));
 #else
-        // A number below 2^51 added to 3 2^51 is rounded to a whole one, which the last bits of the sum count. A larger one is split into a
-        // multiple of 2^27 and a rest, exactly; the multiple is even, so halves of the rest go the way of halves of the whole.
+        // A number below 2^51 added to 3 2^51 is rounded to a whole one, which the last bits of the sum
+        // count. A larger one is split into a multiple of 2^27 and a rest, exactly; the multiple is even, so
+        // halves of the rest go the way of halves of the whole.
         const Register shift = 0x1.8p52 - Register{};
         const Register high = a.part[i] * 0x1p-27 + shift;
         const Register low = (a.part[i] - (high - shift) * 0x1p27) + shift;
@@ -63,8 +66,8 @@ WEAVEFRONT_INLINE Pack to_pack(const Integers& a) {
 #if defined(__AVX512DQ__)
         result.part[i] = _mm512_maskz_cvtepi64_pd(0xff, reinterpret_cast<__m512i>(a.part[i]));
 #else
-        // The lower half counts the units of 2^52, the upper one, raised by 2^31, those of 2^84: both are exact, and so is their
-        // difference to these offsets; only the last sum rounds.
+        // The lower half counts the units of 2^52, the upper one, raised by 2^31, those of 2^84: both are
+        // exact, and so is their difference to these offsets; only the last sum rounds.
         using Unsigned [[gnu::vector_size(8 * register_width)]] = std::uint64_t;
         const auto bits = reinterpret_cast<Unsigned>(a.part[i]);
         const auto low = reinterpret_cast<Register>((bits & 0xffffffff) | 0x4330000000000000);

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The transcendental functions of the model, from + - * / alone. Lanes take the short or the long way of a function by selection, so
-/// that the result of a lane never depends on the others.
+/// The transcendental functions of the model, from + - * / alone. Lanes take the short or the long way of a
+/// function by selection, so that the result of a lane never depends on the others.
 
 #include <array>
 #include <numbers>
@@ -11,8 +11,9 @@
 namespace weavefront::fabric {
 
 /// 1/3, 1/5, 1/7 ...: the series of atanh and, with alternating signs, of atan.
-inline constexpr std::array<double, 12> odd_reciprocals{1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13,
-                                                        1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25};
+inline constexpr std::array<double, 12> odd_reciprocals{1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,
+                                                        1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17,
+                                                        1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25};
 
 /// sum over k >= 1 of z^(k-1)/(2k+1), the first `terms` of them.
 template <int terms, class Real>
@@ -30,7 +31,8 @@ WEAVEFRONT_INLINE Real atan_series(const Real& x) {
 }
 
 /// Inverse tangent of |x| <= 1, within 2 units of the last place.
-/// Beyond 0.19 the angle is taken from the nearer of two base angles: atan x = atan b + atan((x - b)/(1 + b x)).
+/// Beyond 0.19 the angle is taken from the nearer of two base angles: atan x = atan b + atan((x - b)/(1 + b
+/// x)).
 template <class Real>
 WEAVEFRONT_INLINE Real atan(const Real& x) {
     const Real short_way = atan_series(x);
@@ -47,7 +49,8 @@ WEAVEFRONT_INLINE Real atan(const Real& x) {
     return select(far, select(x < 0.0, Real(-long_way), long_way), short_way);
 }
 
-/// 2 atanh(u) for |u| <= 0.1716, that is ln of ratios up to sqrt(2); the first term left out is below 1e-18 of the result.
+/// 2 atanh(u) for |u| <= 0.1716, that is ln of ratios up to sqrt(2); the first term left out is below 1e-18
+/// of the result.
 template <class Real>
 WEAVEFRONT_INLINE Real two_atanh(const Real& u) {
     const Real z = u * u;
@@ -62,7 +65,8 @@ WEAVEFRONT_INLINE Real log_far_ratio(const Real& a, const Real& b) {
     const Real fraction = select(low, Real(2.0 * ratio.fraction), ratio.fraction);
     const Real exponent = select(low, Real(ratio.exponent - 1.0), ratio.exponent);
     // ln 2 in two pieces: the first has few enough bits for an exact product
-    return exponent * 0x1.62e42fee00000p-1 + (exponent * 0x1.a39ef35793c76p-33 + two_atanh(Real((fraction - 1.0) / (fraction + 1.0))));
+    return exponent * 0x1.62e42fee00000p-1 +
+           (exponent * 0x1.a39ef35793c76p-33 + two_atanh(Real((fraction - 1.0) / (fraction + 1.0))));
 }
 
 /// ln(a/b) of two positive numbers, without cancellation where they are close.
@@ -76,7 +80,8 @@ WEAVEFRONT_INLINE Real log_ratio(const Real& a, const Real& b) {
 }
 
 /// 1 - e^-a for a >= 0, accurate relative to itself, so that (1 - e^-a)/a is accurate down to a = 0.
-/// The argument is halved until its Taylor series is short, then 1 - e^-2x = y (2 - y) with y = 1 - e^-x goes back up.
+/// The argument is halved until its Taylor series is short, then 1 - e^-2x = y (2 - y) with y = 1 - e^-x goes
+/// back up.
 inline double one_minus_exp(double a) {
     if (a > 64.0) return 1.0;  // e^-64 is below the rounding of 1
     int halvings = 0;

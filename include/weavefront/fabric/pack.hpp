@@ -1,8 +1,8 @@
 #pragma once
 /// @file
-/// Eight doubles computed at once. Every operation gives in each lane the bits that it gives on a `double`: only + - * / sqrt, comparisons
-/// and selections, all of them exact or correctly rounded, so scalar, AVX2 and AVX-512 builds agree. The same names work on `double` with
-/// `bool` as mask (real.hpp).
+/// Eight doubles computed at once. Every operation gives in each lane the bits that it gives on a `double`:
+/// only + - * / sqrt, comparisons and selections, all of them exact or correctly rounded, so scalar, AVX2 and
+/// AVX-512 builds agree. The same names work on `double` with `bool` as mask (real.hpp).
 
 #include <cstdint>
 #include <cstring>
@@ -63,12 +63,16 @@ struct alignas(64) Pack {
         return load_anywhere(static_cast<const double*>(__builtin_assume_aligned(from, 64)));
     }
     /// @param to room for eight doubles, 64-byte aligned
-    WEAVEFRONT_INLINE void store(double* to) const { store_anywhere(static_cast<double*>(__builtin_assume_aligned(to, 64))); }
+    WEAVEFRONT_INLINE void store(double* to) const {
+        store_anywhere(static_cast<double*>(__builtin_assume_aligned(to, 64)));
+    }
 
-    /// The same at any address. Register by register: g++ copies a whole pack in smaller pieces and waits for them to join.
+    /// The same at any address. Register by register: g++ copies a whole pack in smaller pieces and waits for
+    /// them to join.
     WEAVEFRONT_INLINE static Pack load_anywhere(const double* from) {
         Pack result;
-        for (int i = 0; i < registers; ++i) std::memcpy(&result.part[i], from + i * register_width, sizeof(Register));
+        for (int i = 0; i < registers; ++i)
+            std::memcpy(&result.part[i], from + i * register_width, sizeof(Register));
         return result;
     }
     WEAVEFRONT_INLINE void store_anywhere(double* to) const {
@@ -105,23 +109,31 @@ WEAVEFRONT_INLINE Pack& operator*=(Pack& a, const Pack& b) { return a = a * b; }
 
 #if defined(__AVX512F__)
 
-WEAVEFRONT_INLINE Mask operator<(const Pack& a, const Pack& b) { return {_mm512_cmp_pd_mask(a.part[0], b.part[0], _CMP_LT_OQ)}; }
-WEAVEFRONT_INLINE Mask operator<=(const Pack& a, const Pack& b) { return {_mm512_cmp_pd_mask(a.part[0], b.part[0], _CMP_LE_OQ)}; }
-WEAVEFRONT_INLINE Mask operator==(const Pack& a, const Pack& b) { return {_mm512_cmp_pd_mask(a.part[0], b.part[0], _CMP_EQ_OQ)}; }
+WEAVEFRONT_INLINE Mask operator<(const Pack& a, const Pack& b) {
+    return {_mm512_cmp_pd_mask(a.part[0], b.part[0], _CMP_LT_OQ)};
+}
+WEAVEFRONT_INLINE Mask operator<=(const Pack& a, const Pack& b) {
+    return {_mm512_cmp_pd_mask(a.part[0], b.part[0], _CMP_LE_OQ)};
+}
+WEAVEFRONT_INLINE Mask operator==(const Pack& a, const Pack& b) {
+    return {_mm512_cmp_pd_mask(a.part[0], b.part[0], _CMP_EQ_OQ)};
+}
 WEAVEFRONT_INLINE Mask operator&(Mask a, Mask b) { return {static_cast<__mmask8>(a.lanes & b.lanes)}; }
 WEAVEFRONT_INLINE Mask operator|(Mask a, Mask b) { return {static_cast<__mmask8>(a.lanes | b.lanes)}; }
 WEAVEFRONT_INLINE Mask operator!(Mask a) { return {static_cast<__mmask8>(~a.lanes)}; }
 WEAVEFRONT_INLINE bool any(Mask a) { return a.lanes != 0; }
 WEAVEFRONT_INLINE bool all(Mask a) { return a.lanes == 0xff; }
 WEAVEFRONT_INLINE Pack select(Mask mask, const Pack& a, const Pack& b) {
-    return by_register(a, b, [mask](Register x, Register y) -> Register { return _mm512_mask_blend_pd(mask.lanes, y, x); });
+    return by_register(
+        a, b, [mask](Register x, Register y) -> Register { return _mm512_mask_blend_pd(mask.lanes, y, x); });
 }
 
 #else
 
 /// Applies `operation` to each register of a and b, giving a mask.
 template <class Operand, class Operation>
-WEAVEFRONT_INLINE Mask mask_by_register(const Operand (&a)[registers], const Operand (&b)[registers], Operation operation) {
+WEAVEFRONT_INLINE Mask mask_by_register(const Operand (&a)[registers], const Operand (&b)[registers],
+                                        Operation operation) {
     Mask result;
     for (int i = 0; i < registers; ++i) result.lanes[i] = operation(a[i], b[i]);
     return result;
@@ -194,7 +206,8 @@ WEAVEFRONT_INLINE Binary<Pack> binary(const Pack& a) {
     for (int i = 0; i < registers; ++i) {
         const auto bits = reinterpret_cast<Bits>(a.part[i]);
         result.fraction.part[i] = reinterpret_cast<Register>((bits & fraction_bits) | half_bits);
-        result.exponent.part[i] = reinterpret_cast<Register>((bits >> 52) | two_to_52_bits) - (two_to_52 + 1022.0);
+        result.exponent.part[i] =
+            reinterpret_cast<Register>((bits >> 52) | two_to_52_bits) - (two_to_52 + 1022.0);
     }
     return result;
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// What a kernel's number type `Real` offers, and its scalar form `double`; pack.hpp has the form with eight lanes. None of it calls the
-/// mathematical library, whose last bits vary with the processor.
+/// What a kernel's number type `Real` offers, and its scalar form `double`; pack.hpp has the form with eight
+/// lanes. None of it calls the mathematical library, whose last bits vary with the processor.
 
 #include <bit>
 #include <cmath>

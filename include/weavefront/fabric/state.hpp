@@ -53,12 +53,14 @@ WEAVEFRONT_INLINE constexpr void for_each_field(AnyState& state, Visit visit) {
         if constexpr (F.crimp) all_of(state.h_f);
         if constexpr (F.viscous) all_of(state.sigma_f, state.sigma_w);
         if constexpr (F.paper()) all_of(state.m);
-        if constexpr (F.paper() && F.lateral) all_of(state.alpha, state.sigma_22_f, state.sigma_12_f, state.sigma_22_w, state.sigma_12_w);
+        if constexpr (F.paper() && F.lateral)
+            all_of(state.alpha, state.sigma_22_f, state.sigma_12_f, state.sigma_22_w, state.sigma_12_w);
         if constexpr (F.friction) all_of(state.friction_work);
         if constexpr (F.friction && !F.paper()) all_of(state.friction_moment, state.friction_limit);
         if constexpr (F.friction && F.paper()) all_of(state.friction_stretch, state.friction_turn);
     }
-    if constexpr ((all || which == Fields::packing) && F.lateral && !F.paper()) all_of(state.alpha, state.p_f, state.p_w, state.q, state.m);
+    if constexpr ((all || which == Fields::packing) && F.lateral && !F.paper())
+        all_of(state.alpha, state.p_f, state.p_w, state.q, state.m);
     if constexpr ((all || which == Fields::damage) && F.failure) all_of(state.intact_f, state.intact_w);
 }
 
@@ -72,7 +74,8 @@ template <Features F, Fields which = Fields::all>
 }
 
 /// Reads fields into a state.
-/// @param from state_size<F, which>() fields of width<Real> lanes: field i of lane l at [i width + l]; 64-byte aligned for a pack
+/// @param from state_size<F, which>() fields of width<Real> lanes: field i of lane l at [i width + l];
+/// 64-byte aligned for a pack
 template <Features F, class Real, Fields which = Fields::all>
 WEAVEFRONT_INLINE void load_fields(State<Real>& state, const double* from) {
     for_each_field<F, which>(

@@ -9,9 +9,10 @@
 
 namespace weavefront::fabric {
 
-/// Bounds in N/m such that for any change dg_f, dg_w of the yarn vectors (g = lambda d, three components) and the change dpsi = d(2 theta)
-/// that goes with it, the second variation of the energy per reference area is at most
-/// (yarn_f + lateral)|dg_f|^2 + (yarn_w + lateral)|dg_w|^2 + angle dpsi^2, where dpsi^2 <= 2 (|dg_f|^2/lambda_f^2 + |dg_w|^2/lambda_w^2).
+/// Bounds in N/m such that for any change dg_f, dg_w of the yarn vectors (g = lambda d, three components) and
+/// the change dpsi = d(2 theta) that goes with it, the second variation of the energy per reference area is
+/// at most (yarn_f + lateral)|dg_f|^2 + (yarn_w + lateral)|dg_w|^2 + angle dpsi^2, where dpsi^2 <= 2
+/// (|dg_f|^2/lambda_f^2 + |dg_w|^2/lambda_w^2).
 template <class Real>
 struct Stiffness {
     Real yarn_f, yarn_w;  ///< along and across the yarns
@@ -22,20 +23,26 @@ struct Stiffness {
 };
 
 /// Instantaneous tangent of a state, bounded from above (see README.md, "Stiffness"):
-/// - yarn: Ka S/s (s/2)/L, since dN/dlambda at a held crossover is (S/s)(Ka cos^2 beta (s/2)/L + sigma sin^2 beta cos beta/lambda), plus
-///   the geometric |n|/lambda^2. Letting the crossover go can only soften yarns in tension: the relaxed Hessian is W_ll - W_ld W_ld/W_dd
-///   with W_dd > 0. The second derivative of psi by the components of g adds |m|/(2 lambda^2).
-/// - packing: e_f = ln lambda_w + ln sin psi couples stretch and angle; (x + y)^2 <= 2 x^2 + 2 y^2 separates them. Unpacking lets p go at a
+/// - yarn: Ka S/s (s/2)/L, since dN/dlambda at a held crossover is (S/s)(Ka cos^2 beta (s/2)/L + sigma sin^2
+/// beta cos beta/lambda), plus
+///   the geometric |n|/lambda^2. Letting the crossover go can only soften yarns in tension: the relaxed
+///   Hessian is W_ll - W_ld W_ld/W_dd with W_dd > 0. The second derivative of psi by the components of g adds
+///   |m|/(2 lambda^2).
+/// - packing: e_f = ln lambda_w + ln sin psi couples stretch and angle; (x + y)^2 <= 2 x^2 + 2 y^2 separates
+/// them. Unpacking lets p go at a
 ///   rate dalpha/dpsi = 1/(2 Dtheta), as a spring of p/(2 alpha Dtheta) would.
-/// - angle: packing with its geometric |p|/sin^2 psi, friction while it sticks, and the geometric |m|/2 (|cot psi| + 1/sin psi) of yarns
+/// - angle: packing with its geometric |p|/sin^2 psi, friction while it sticks, and the geometric |m|/2 (|cot
+/// psi| + 1/sin psi) of yarns
 ///   that tilt out of plane.
-/// - out of the plane: the tension n/lambda^2 with its sign and that same moment, cot psi (z_f^2 + z_w^2) - 2 z_f z_w/sin psi with
-///   z = dg/lambda; in the paper's formulation |n|/lambda^2 and the mixed term by at most (z_f^2 + z_w^2)/sin psi. The paper's stresses
-///   derive from no energy; there the same terms are an estimate, with the factor
-/// lambda sin 2 theta by which its yarn force exceeds the conjugate one, and the shear gamma_12 = dpsi + cot psi (dln lambda_f - dln
-/// lambda_w) of both yarns.
+/// - out of the plane: the tension n/lambda^2 with its sign and that same moment, cot psi (z_f^2 + z_w^2) - 2
+/// z_f z_w/sin psi with
+///   z = dg/lambda; in the paper's formulation |n|/lambda^2 and the mixed term by at most (z_f^2 + z_w^2)/sin
+///   psi. The paper's stresses derive from no energy; there the same terms are an estimate, with the factor
+/// lambda sin 2 theta by which its yarn force exceeds the conjugate one, and the shear gamma_12 = dpsi + cot
+/// psi (dln lambda_f - dln lambda_w) of both yarns.
 template <Features F, class Real>
-[[nodiscard]] WEAVEFRONT_INLINE Stiffness<Real> stiffness_bound(const Constants& c, const State<Real>& state) {
+[[nodiscard]] WEAVEFRONT_INLINE Stiffness<Real> stiffness_bound(const Constants& c,
+                                                                const State<Real>& state) {
     const double yarn = c.instant_modulus * c.area / c.span * (0.5 * c.span * c.inverse_length);
     const Real inverse_f = 1.0 / state.lambda_f, inverse_w = 1.0 / state.lambda_w;
     Stiffness<Real> k{.yarn_f = yarn, .yarn_w = yarn, .lateral = 0.0, .angle = 0.0, .normal = {}};
@@ -62,7 +69,8 @@ template <Features F, class Real>
                 stretch += 3.0 * G12 * cot * cot;
                 k.angle += 2.0 * G12;
             } else {
-                const Real rate = select(state.alpha > 0.0, Real((0.5 / c.transition) / state.alpha), Real(0.0));
+                const Real rate =
+                    select(state.alpha > 0.0, Real((0.5 / c.transition) / state.alpha), Real(0.0));
                 const Real p = abs(state.p_f) + abs(state.p_w);
                 stretch += 0.5 * rate * p;
                 k.angle += rate * (cot * p + abs(state.q) + 0.5 * p) + p * inverse_sine * inverse_sine;
@@ -96,7 +104,8 @@ template <Features F, class Real>
     } else {
         if constexpr (F.lateral) Q += 0.5 * state.m;
         if constexpr (F.friction) Q += state.friction_moment * (1 / (c.span * c.span));
-        k.normal = {(state.N_f * state.lambda_f + Q * cot_psi) * inverse_f * inverse_f, -Q * inverse_sin * inverse_f * inverse_w,
+        k.normal = {(state.N_f * state.lambda_f + Q * cot_psi) * inverse_f * inverse_f,
+                    -Q * inverse_sin * inverse_f * inverse_w,
                     (state.N_w * state.lambda_w + Q * cot_psi) * inverse_w * inverse_w};
     }
     return k;

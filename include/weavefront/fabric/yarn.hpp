@@ -7,14 +7,17 @@
 
 namespace weavefront::fabric {
 
-/// Axial stress at the end of a step as a function of the bar's length then: offset + slope (length - reference).
+/// Axial stress at the end of a step as a function of the bar's length then: offset + slope (length -
+/// reference).
 template <class Real>
 struct AxialLaw {
     Real offset;     ///< Pa
     Real slope;      ///< Pa/m
     Real reference;  ///< m
 
-    [[nodiscard]] WEAVEFRONT_INLINE Real stress(const Real& length) const { return offset + slope * (length - reference); }
+    [[nodiscard]] WEAVEFRONT_INLINE Real stress(const Real& length) const {
+        return offset + slope * (length - reference);
+    }
 };
 
 /// IT04 (18), or its exact counterpart (see step_of), with deps = (L^{n+1} - L^n)/L of (33).
@@ -22,7 +25,8 @@ struct AxialLaw {
 /// @param length bar length at the start of the step, m
 /// @param intact 1, or 0 for a broken yarn, which carries no force
 template <Features F, class Real>
-[[nodiscard]] WEAVEFRONT_INLINE AxialLaw<Real> axial_law(const Constants& c, const Step& step, const Real& sigma, const Real& length,
+[[nodiscard]] WEAVEFRONT_INLINE AxialLaw<Real> axial_law(const Constants& c, const Step& step,
+                                                         const Real& sigma, const Real& length,
                                                          const Real& intact) {
     AxialLaw<Real> law{.offset = 0.0, .slope = step.modulus * c.inverse_length, .reference = c.length};
     if constexpr (F.viscous) {
@@ -46,11 +50,13 @@ struct FailureIndex {
 
 /// IT04 (19),(20). @param eps, sigma axial strain and stress of the yarn, 1 and Pa
 template <class Real>
-[[nodiscard]] WEAVEFRONT_INLINE FailureIndex<Real> failure_index(const Constants& c, const Real& eps, const Real& sigma) {
+[[nodiscard]] WEAVEFRONT_INLINE FailureIndex<Real> failure_index(const Constants& c, const Real& eps,
+                                                                 const Real& sigma) {
     return {sigma * c.inverse_primary_stress, (c.hooke_modulus * eps - sigma) * c.inverse_secondary_stress};
 }
 
-/// Breaks the yarn where a criterion is exceeded by the updated values: from this step's stress on it carries no axial force.
+/// Breaks the yarn where a criterion is exceeded by the updated values: from this step's stress on it carries
+/// no axial force.
 /// @param length bar length, m
 /// @param sigma  stress, Pa; 0 on return where broken
 /// @param intact 0 on return where broken

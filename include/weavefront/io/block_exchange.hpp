@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// From the scattered ownership of a partition to contiguous blocks of the global order, in which files are written.
+/// From the scattered ownership of a partition to contiguous blocks of the global order, in which files are
+/// written.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,16 +12,18 @@
 
 namespace weavefront::io {
 
-/// Moves values from the ranks that own them to blocks of the global order: of N items, rank r of R holds [r N / R, (r + 1) N / R).
-/// Who sends what is agreed once, at construction.
+/// Moves values from the ranks that own them to blocks of the global order: of N items, rank r of R holds [r
+/// N / R, (r + 1) N / R). Who sends what is agreed once, at construction.
 class BlockExchange {
   public:
     /// @param comm   ranks among which the items are spread; must outlive this object
     /// @param total  number of items N
-    /// @param owned  global ids of the items of this rank, ascending; every id in [0, N) is owned by exactly one rank
+    /// @param owned  global ids of the items of this rank, ascending; every id in [0, N) is owned by exactly
+    /// one rank
     /// @throws std::logic_error on all ranks when the ids are not such a partition
     /// @note Collective
-    BlockExchange(const parallel::Communicator& comm, std::int64_t total, std::span<const std::int64_t> owned);
+    BlockExchange(const parallel::Communicator& comm, std::int64_t total,
+                  std::span<const std::int64_t> owned);
 
     /// First global id of the block of this rank.
     [[nodiscard]] std::int64_t first() const { return first_; }
@@ -28,7 +31,9 @@ class BlockExchange {
     [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(position_.size()); }
 
     /// Number of items that this rank owns.
-    [[nodiscard]] std::size_t owned() const { return static_cast<std::size_t>(send_starts_.back() + send_counts_.back()); }
+    [[nodiscard]] std::size_t owned() const {
+        return static_cast<std::size_t>(send_starts_.back() + send_counts_.back());
+    }
 
     /// Values of the block of this rank.
     /// @param values      `components` values for every owned item, in the order of `owned`
@@ -52,7 +57,8 @@ class BlockExchange {
     const parallel::Communicator* comm_;
     std::int64_t total_;
     std::int64_t first_;
-    std::vector<int> send_counts_, send_starts_, receive_counts_, receive_starts_;  // in items, one entry a rank
+    std::vector<int> send_counts_, send_starts_, receive_counts_,
+        receive_starts_;                  // in items, one entry a rank
     std::vector<std::int64_t> position_;  // within the block, of the items in the order in which they arrive
 };
 

@@ -20,8 +20,8 @@ std::string history_header();
 /// @throws NotFinite naming the column
 std::string history_line(const HistoryRow& row);
 
-/// The growing table. Rank 0 writes whole lines, each handed to the system before `write` returns, so a run killed at any moment leaves
-/// complete rows.
+/// The growing table. Rank 0 writes whole lines, each handed to the system before `write` returns, so a run
+/// killed at any moment leaves complete rows.
 class History {
   public:
     /// Starts the file with its header, under its temporary name.

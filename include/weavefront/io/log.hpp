@@ -14,8 +14,8 @@ namespace weavefront::io {
 /// Whether lines reach the terminal.
 enum class Terminal { shown, silent };
 
-/// Plain lines on rank 0, to the terminal and to run.log; the other ranks are silent. On a terminal one line at the bottom may be
-/// redrawn in place; whole lines appear above it.
+/// Plain lines on rank 0, to the terminal and to run.log; the other ranks are silent. On a terminal one line
+/// at the bottom may be redrawn in place; whole lines appear above it.
 class Log {
   public:
     /// @param directory  where run.log goes, under its temporary name; empty: terminal only
@@ -23,7 +23,8 @@ class Log {
     /// @param terminal   silent: run.log only
     /// @throws FileError on all ranks when run.log cannot be created
     /// @note Collective
-    Log(const std::filesystem::path& directory, const parallel::Communicator& comm, Terminal terminal = Terminal::shown);
+    Log(const std::filesystem::path& directory, const parallel::Communicator& comm,
+        Terminal terminal = Terminal::shown);
     ~Log();
     Log(Log&&) noexcept;
     Log& operator=(Log&&) noexcept;

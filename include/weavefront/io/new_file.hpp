@@ -11,11 +11,13 @@ namespace weavefront::io {
 /// Name beside its place under which a file is written until it is whole.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
-/// Makes sure that `path` is a regular file or nothing. Links, devices and FIFOs are never followed, opened or replaced.
+/// Makes sure that `path` is a regular file or nothing. Links, devices and FIFOs are never followed, opened
+/// or replaced.
 /// @throws FileError naming what it is
 void require_regular_or_missing(const std::filesystem::path& path);
 
-/// Gives a file that was written under its temporary name its own, in place of a regular file or nothing. @throws FileError
+/// Gives a file that was written under its temporary name its own, in place of a regular file or nothing.
+/// @throws FileError
 void publish_file(const std::filesystem::path& path);
 
 /// An open text file under its temporary name; one process.
@@ -28,7 +30,8 @@ class NewFile {
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
 
-    /// Adds text in one call to the system, which no stream promises. @throws FileError; then nothing of the text is left in the file
+    /// Adds text in one call to the system, which no stream promises. @throws FileError; then nothing of the
+    /// text is left in the file
     void append(std::string_view text) const;
     /// Gives the file its own name; it stays open. @throws FileError
     void publish();

@@ -23,15 +23,17 @@ enum class Earlier {
 /// Keeps a directory to one run, or one study, for as long as it lives.
 class OutputDirectory {
   public:
-    /// Creates the directory with its parents where it does not exist yet and makes sure that it can be written to. Files of before are not
-    /// touched; temporary ones that a killed run has left are removed, but for `refused`.
+    /// Creates the directory with its parents where it does not exist yet and makes sure that it can be
+    /// written to. Files of before are not touched; temporary ones that a killed run has left are removed,
+    /// but for `refused`.
     /// @param path  the same on all ranks
     /// @param comm  ranks of the run; must outlive this object
-    /// @throws scene::InputError on all ranks, naming them, when there are files of an earlier run that are refused; FileError when rank 0
-    /// cannot create the directory, must not write to it, finds another run there, or anything but a regular file in the place of one of
-    /// its own
+    /// @throws scene::InputError on all ranks, naming them, when there are files of an earlier run that are
+    /// refused; FileError when rank 0 cannot create the directory, must not write to it, finds another run
+    /// there, or anything but a regular file in the place of one of its own
     /// @note Collective
-    OutputDirectory(const std::filesystem::path& path, const parallel::Communicator& comm, Earlier earlier = Earlier::refused);
+    OutputDirectory(const std::filesystem::path& path, const parallel::Communicator& comm,
+                    Earlier earlier = Earlier::refused);
     /// Removes the directory again where it was created and nothing was written to it.
     ~OutputDirectory();
     OutputDirectory(const OutputDirectory&) = delete;
@@ -39,7 +41,8 @@ class OutputDirectory {
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// Removes what an earlier run has left, for a new one that is certain to start. @throws FileError on all ranks
+    /// Removes what an earlier run has left, for a new one that is certain to start. @throws FileError on all
+    /// ranks
     /// @return names of what was there, on rank 0
     /// @note Collective
     std::vector<std::string> clear();

@@ -34,7 +34,8 @@ class RemainingTime {
     std::deque<Sample> samples_;  // the window and one sample before it
 };
 
-/// Shows the progress of a run: on a terminal a bar that is redrawn in place, elsewhere (and in run.log) a line at every 10 %.
+/// Shows the progress of a run: on a terminal a bar that is redrawn in place, elsewhere (and in run.log) a
+/// line at every 10 %.
 class Progress {
   public:
     using Clock = std::function<double()>;  ///< wall clock, s

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// What a run hands to the writers, as plain data in SI, for the whole target (also when a symmetric part is modelled).
+/// What a run hands to the writers, as plain data in SI, for the whole target (also when a symmetric part is
+/// modelled).
 
 #include <array>
 #include <cstdint>
@@ -26,14 +27,15 @@ struct HistoryRow {
     double friction = 0;  ///< of yarns
     double damping = 0;
     double external = 0;
-    double eroded = 0;              ///< hourglass energy let go with broken yarns and eroded elements, in no other column
+    double eroded = 0;  ///< hourglass energy let go with broken yarns and eroded elements, in no other column
     double energy_error = 0;        ///< closure error over the initial total energy
     std::int64_t broken_yarns = 0;  ///< element-directions
     std::int64_t eroded_elements = 0;
-    double max_displacement = 0;             ///< largest displacement along z of a node of joined fabric, m
-    double time_step = 0;                    ///< s
-    double back_face_deflection = 0;         ///< largest displacement along z of joined fabric of the last ply, m
-    double penetration = 0;                  ///< deepest that fabric and the projectile, another ply or the frame overlapped until then, m
+    double max_displacement = 0;      ///< largest displacement along z of a node of joined fabric, m
+    double time_step = 0;             ///< s
+    double back_face_deflection = 0;  ///< largest displacement along z of joined fabric of the last ply, m
+    double penetration =
+        0;  ///< deepest that fabric and the projectile, another ply or the frame overlapped until then, m
     std::array<double, 2> penetration_at{};  ///< its place in x and y, m
     std::int64_t penetration_ply = 0;        ///< its ply, 1 = struck first; 0: nothing was in contact
     std::int64_t debris_elements = 0;        ///< neither eroded nor joined to a support
@@ -41,8 +43,8 @@ struct HistoryRow {
     double debris_displacement = 0;          ///< largest displacement along z of a node of debris, m
 };
 
-/// The global topology of the results in canonical order, of which each rank passes the part it owns. Every node and every element is
-/// owned by exactly one rank.
+/// The global topology of the results in canonical order, of which each rank passes the part it owns. Every
+/// node and every element is owned by exactly one rank.
 struct Topology {
     std::int64_t nodes = 0;                                 ///< of the whole fabric
     std::int64_t elements = 0;                              ///< of the whole fabric
@@ -58,13 +60,15 @@ struct Surface {
     std::vector<std::array<std::int64_t, 4>> quads;  ///< indices into `points`
 };
 
-/// One array of a frame: `values` holds `components` doubles for every owned node (or element), in the order of Topology.
+/// One array of a frame: `values` holds `components` doubles for every owned node (or element), in the order
+/// of Topology.
 struct Array {
     std::string name;
     int components = 1;
     bool integer = false;  ///< stored as int8 (flags)
     std::vector<double> values;
-    std::vector<double> projectile;  ///< what the rigid projectile has throughout, `components` values; empty: zeros
+    std::vector<double>
+        projectile;  ///< what the rigid projectile has throughout, `components` values; empty: zeros
 };
 
 /// One frame of results.vtkhdf.

@@ -49,16 +49,17 @@ struct Summary {
     std::vector<PhaseTime> wall_seconds;  ///< in the order in which they are listed
     std::int64_t element_steps = 0;
     double nanoseconds_per_element_step = 0;
-    std::optional<ShotOutcome> outcome;              ///< null without a projectile
-    std::optional<double> residual_velocity;         ///< m/s; null without a projectile
-    double max_displacement = 0;                     ///< m
-    double back_face_deflection = 0;                 ///< m
-    double energy_error = 0;                         ///< 1
-    std::int64_t broken_yarns = 0;                   ///< element-directions, whole target
-    std::int64_t eroded_elements = 0;                ///< whole target
-    std::vector<std::optional<double>> first_break;  ///< time at which the first yarn of each ply broke, s; null: all whole
-    std::vector<std::string> left_out;               ///< what the scene does not ask for
-    std::string history_sha256;                      ///< of history.csv, 64 hex digits
+    std::optional<ShotOutcome> outcome;       ///< null without a projectile
+    std::optional<double> residual_velocity;  ///< m/s; null without a projectile
+    double max_displacement = 0;              ///< m
+    double back_face_deflection = 0;          ///< m
+    double energy_error = 0;                  ///< 1
+    std::int64_t broken_yarns = 0;            ///< element-directions, whole target
+    std::int64_t eroded_elements = 0;         ///< whole target
+    std::vector<std::optional<double>>
+        first_break;  ///< time at which the first yarn of each ply broke, s; null: all whole
+    std::vector<std::string> left_out;  ///< what the scene does not ask for
+    std::string history_sha256;         ///< of history.csv, 64 hex digits
 };
 
 /// Writes the summary as a whole or not at all: under a temporary name first, then renamed.
@@ -66,6 +67,7 @@ struct Summary {
 /// @param summary  read on rank 0
 /// @throws NotFinite, FileError on all ranks
 /// @note Collective
-void write_summary(const std::filesystem::path& path, const Summary& summary, const parallel::Communicator& comm);
+void write_summary(const std::filesystem::path& path, const Summary& summary,
+                   const parallel::Communicator& comm);
 
 }  // namespace weavefront::io

@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The panel: a rectangular target of plies over one common grid of columns. It is described, not stored: ids and coordinates are computed,
-/// so that no rank has to hold the whole mesh.
+/// The panel: a rectangular target of plies over one common grid of columns. It is described, not stored: ids
+/// and coordinates are computed, so that no rank has to hold the whole mesh.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace weavefront::mesh {
 
 /// A column is one footprint cell with the elements of all plies over it.
 ///
-/// Canonical (global) ids: column c = j * columns_x + i; element = ply * columns + c; node = ply * nodes_per_ply + j * (columns_x + 1) + i.
+/// Canonical (global) ids: column c = j * columns_x + i; element = ply * columns + c; node = ply *
+/// nodes_per_ply + j * (columns_x + 1) + i.
 struct Panel {
     std::vector<double> x;           ///< grid lines, ascending, m
     std::vector<double> y;           ///< grid lines, ascending, m
@@ -26,8 +27,12 @@ struct Panel {
     [[nodiscard]] std::int64_t columns_y() const { return static_cast<std::int64_t>(y.size()) - 1; }
     [[nodiscard]] std::int64_t columns() const { return columns_x() * columns_y(); }
     [[nodiscard]] std::int64_t nodes_per_ply() const { return (columns_x() + 1) * (columns_y() + 1); }
-    [[nodiscard]] std::int64_t elements() const { return columns() * static_cast<std::int64_t>(plies.size()); }
-    [[nodiscard]] std::int64_t nodes() const { return nodes_per_ply() * static_cast<std::int64_t>(plies.size()); }
+    [[nodiscard]] std::int64_t elements() const {
+        return columns() * static_cast<std::int64_t>(plies.size());
+    }
+    [[nodiscard]] std::int64_t nodes() const {
+        return nodes_per_ply() * static_cast<std::int64_t>(plies.size());
+    }
 
     /// Length of the shortest edge of an element, m.
     [[nodiscard]] double smallest_edge() const;
@@ -45,7 +50,8 @@ struct Panel {
     [[nodiscard]] int multiplicity() const { return (symmetry[0] ? 2 : 1) * (symmetry[1] ? 2 : 1); }
 };
 
-/// The panel of a scene's target, graded around the point under the projectile's axis (the origin if there is none).
+/// The panel of a scene's target, graded around the point under the projectile's axis (the origin if there is
+/// none).
 /// @throws std::invalid_argument when the scene has no target
 Panel make_panel(const scene::Scene& scene);
 

@@ -7,7 +7,8 @@
 
 namespace weavefront::mesh {
 
-/// Values of the elements (or nodes) of a part where every ply has the same: plies stand over one grid of columns. One ply's are stored.
+/// Values of the elements (or nodes) of a part where every ply has the same: plies stand over one grid of
+/// columns. One ply's are stored.
 template <class T>
 struct Repeated {
     std::vector<T> one_ply;

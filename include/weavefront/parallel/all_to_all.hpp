@@ -12,7 +12,8 @@ namespace weavefront::parallel {
 
 /// Sends outgoing[r] to rank r; returns what each rank sent here. T is trivially copyable. @note Collective
 template <class T>
-std::vector<std::vector<T>> all_to_all(const Communicator& comm, const std::vector<std::vector<T>>& outgoing) {
+std::vector<std::vector<T>> all_to_all(const Communicator& comm,
+                                       const std::vector<std::vector<T>>& outgoing) {
     const auto ranks = static_cast<std::size_t>(comm.size());
     const ItemType item(sizeof(T));
     std::vector<int> sent(ranks), received(ranks), send_at(ranks), receive_at(ranks);
@@ -22,8 +23,8 @@ std::vector<std::vector<T>> all_to_all(const Communicator& comm, const std::vect
     std::exclusive_scan(received.begin(), received.end(), receive_at.begin(), 0);
     std::vector<T> send, receive(static_cast<std::size_t>(receive_at.back() + received.back()));
     for (const auto& items : outgoing) send.insert(send.end(), items.begin(), items.end());
-    check(MPI_Alltoallv(send.data(), sent.data(), send_at.data(), item.get(), receive.data(), received.data(), receive_at.data(),
-                        item.get(), comm.get()));
+    check(MPI_Alltoallv(send.data(), sent.data(), send_at.data(), item.get(), receive.data(), received.data(),
+                        receive_at.data(), item.get(), comm.get()));
     std::vector<std::vector<T>> incoming(ranks);
     for (std::size_t r = 0; r < ranks; ++r)
         incoming[r].assign(receive.begin() + receive_at[r], receive.begin() + receive_at[r] + received[r]);

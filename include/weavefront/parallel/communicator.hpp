@@ -14,8 +14,9 @@ namespace weavefront::parallel {
 /// Throws std::runtime_error with MPI's own text when `code` is not MPI_SUCCESS.
 void check(int code);
 
-/// Initialises MPI and finalises it at the end of its life; inside of another one it does neither. While it lives, a rank among several
-/// that runs out of memory says so and ends all of them with exit status 3. Threads that MPI starts take no signal that asks for an end.
+/// Initialises MPI and finalises it at the end of its life; inside of another one it does neither. While it
+/// lives, a rank among several that runs out of memory says so and ends all of them with exit status 3.
+/// Threads that MPI starts take no signal that asks for an end.
 class Environment {
   public:
     Environment(int* argc, char*** argv);

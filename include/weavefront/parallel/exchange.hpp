@@ -16,9 +16,11 @@ namespace weavefront::parallel {
 /// What travels one way between two ranks: local node indices, in the same order on both sides.
 struct SendList {
     std::vector<std::int32_t> nodes;
-    std::size_t dense_count = 0;  ///< the values of so many, the first ones, always travel; of the others those that are not zero
+    std::size_t dense_count =
+        0;  ///< the values of so many, the first ones, always travel; of the others those that are not zero
 
-    explicit SendList(std::vector<std::int32_t> always = {}) : nodes(std::move(always)), dense_count(nodes.size()) {}
+    explicit SendList(std::vector<std::int32_t> always = {})
+        : nodes(std::move(always)), dense_count(nodes.size()) {}
 };
 
 /// What this rank exchanges with one other.
@@ -28,34 +30,41 @@ struct Neighbour {
 
     /// Sums of the same nodes both ways, in the same global order on both sides.
     Neighbour(int other, const std::vector<std::int32_t>& nodes) : rank(other), out(nodes), in(nodes) {}
-    Neighbour(int other, SendList sent, SendList received) : rank(other), out(std::move(sent)), in(std::move(received)) {}
+    Neighbour(int other, SendList sent, SendList received)
+        : rank(other), out(std::move(sent)), in(std::move(received)) {}
 };
 
-/// Sums arrays of type T, which has some integers, over all ranks that share a node. Buffers live as long as the exchange.
+/// Sums arrays of type T, which has some integers, over all ranks that share a node. Buffers live as long as
+/// the exchange.
 template <class T>
 class Exchange {
-    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint64_t) == 0 && alignof(T) <= sizeof(std::uint64_t));
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint64_t) == 0 &&
+                  alignof(T) <= sizeof(std::uint64_t));
 
   public:
     Exchange() = default;
-    explicit Exchange(std::vector<Neighbour> neighbours) : neighbours_(std::move(neighbours)), in_memory_(neighbours_.size(), false) {
+    explicit Exchange(std::vector<Neighbour> neighbours)
+        : neighbours_(std::move(neighbours)), in_memory_(neighbours_.size(), false) {
         make_buffers();
     }
 
-    /// From now on ranks of this host exchange through shared memory, where the host has it; no other exchange uses them then.
+    /// From now on ranks of this host exchange through shared memory, where the host has it; no other
+    /// exchange uses them then.
     /// @note Collective
     void use(const Communicator& comm, SharedMemoryExchange& shared_memory) {
         shared_memory_ = &shared_memory;
         std::vector<std::size_t> lengths(static_cast<std::size_t>(comm.size()), 0);
         for (const auto& neighbour : neighbours_)
-            if (shared_memory.on_this_host(neighbour.rank)) lengths[static_cast<std::size_t>(neighbour.rank)] = most_bytes(neighbour.out);
+            if (shared_memory.on_this_host(neighbour.rank))
+                lengths[static_cast<std::size_t>(neighbour.rank)] = most_bytes(neighbour.out);
         shared_memory.resize(lengths);
         for (std::size_t k = 0; k < neighbours_.size(); ++k)
             in_memory_[k] = shared_memory.on_this_host(neighbours_[k].rank);  // unless it had no memory
         make_buffers();
     }
 
-    /// Adds what the other ranks hold of shared nodes: values[n] += the other's values[n], as they were before the call.
+    /// Adds what the other ranks hold of shared nodes: values[n] += the other's values[n], as they were
+    /// before the call.
     /// @note Collective over the neighbouring ranks; with shared memory over all
     void sum(const Communicator& comm, std::span<T> values) {
         start(comm, values);
@@ -68,24 +77,30 @@ class Exchange {
         auto* message = incoming_.data();
         for_each_neighbour(false, [&](const Neighbour& neighbour) {
             const auto bytes = most_bytes(neighbour.in);
-            check(MPI_Irecv(message, static_cast<int>(bytes), MPI_BYTE, neighbour.rank, 0, comm.get(), &requests_.emplace_back()));
+            check(MPI_Irecv(message, static_cast<int>(bytes), MPI_BYTE, neighbour.rank, 0, comm.get(),
+                            &requests_.emplace_back()));
             message += bytes;
         });
         message = outgoing_.data();
         for_each_neighbour(false, [&](const Neighbour& neighbour) {
             const auto bytes = pack(neighbour.out, values, message);
-            check(MPI_Isend(message, static_cast<int>(bytes), MPI_BYTE, neighbour.rank, 0, comm.get(), &requests_.emplace_back()));
+            check(MPI_Isend(message, static_cast<int>(bytes), MPI_BYTE, neighbour.rank, 0, comm.get(),
+                            &requests_.emplace_back()));
             message += most_bytes(neighbour.out);
         });
-        for_each_neighbour(true,
-                           [&](const Neighbour& neighbour) { pack(neighbour.out, values, shared_memory_->outgoing(neighbour.rank)); });
+        for_each_neighbour(true, [&](const Neighbour& neighbour) {
+            pack(neighbour.out, values, shared_memory_->outgoing(neighbour.rank));
+        });
         if (shared_memory_) shared_memory_->publish();
     }
 
     /// The second half of `sum`: waits and adds.
     void finish(std::span<T> values) {
-        for_each_neighbour(true, [&](const Neighbour& neighbour) { add(neighbour.in, shared_memory_->incoming(neighbour.rank), values); });
-        if (!requests_.empty()) check(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE));
+        for_each_neighbour(true, [&](const Neighbour& neighbour) {
+            add(neighbour.in, shared_memory_->incoming(neighbour.rank), values);
+        });
+        if (!requests_.empty())
+            check(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE));
         const auto* message = incoming_.data();
         for_each_neighbour(false, [&](const Neighbour& neighbour) {
             add(neighbour.in, message, values);
@@ -96,7 +111,8 @@ class Exchange {
     [[nodiscard]] const std::vector<Neighbour>& neighbours() const { return neighbours_; }
 
   private:
-    // A message: the number of records, the values that always travel, and a record of each other one that is not zero.
+    // A message: the number of records, the values that always travel, and a record of each other one that is
+    // not zero.
     struct Record {
         std::uint64_t place;  ///< among the nodes of the list
         T value;
@@ -104,12 +120,15 @@ class Exchange {
     static std::size_t bytes(const SendList& list, std::size_t records) {
         return sizeof(std::uint64_t) + list.dense_count * sizeof(T) + records * sizeof(Record);
     }
-    static std::size_t most_bytes(const SendList& list) { return bytes(list, list.nodes.size() - list.dense_count); }
+    static std::size_t most_bytes(const SendList& list) {
+        return bytes(list, list.nodes.size() - list.dense_count);
+    }
 
     /// @return bytes of the message
     static std::size_t pack(const SendList& list, std::span<const T> values, std::byte* message) {
         auto* value = reinterpret_cast<T*>(message + sizeof(std::uint64_t));
-        for (std::size_t place = 0; place < list.dense_count; ++place) *value++ = values[static_cast<std::size_t>(list.nodes[place])];
+        for (std::size_t place = 0; place < list.dense_count; ++place)
+            *value++ = values[static_cast<std::size_t>(list.nodes[place])];
         auto* record = reinterpret_cast<Record*>(value);
         std::uint64_t records = 0;
         for (std::size_t place = list.dense_count; place < list.nodes.size(); ++place) {
@@ -129,7 +148,8 @@ class Exchange {
         const auto* value = reinterpret_cast<const T*>(message + sizeof(std::uint64_t));
         for (std::size_t place = 0; place < list.dense_count; ++place) add_to(list.nodes[place], *value++);
         const auto* record = reinterpret_cast<const Record*>(value);
-        for (auto records = *reinterpret_cast<const std::uint64_t*>(message); records > 0; --records, ++record)
+        for (auto records = *reinterpret_cast<const std::uint64_t*>(message); records > 0;
+             --records, ++record)
             add_to(list.nodes[record->place], record->value);
     }
 

@@ -18,8 +18,8 @@ void tell_failure(const std::string& message);
 /// Ends all ranks with exit status 3.
 [[noreturn]] void end_all_ranks();
 
-/// Waits asleep until all ranks are here. A rank that comes with a failure waits for some seconds only: the others are then taken to wait
-/// for it elsewhere; the failure is told and all ranks end with status 3.
+/// Waits asleep until all ranks are here. A rank that comes with a failure waits for some seconds only: the
+/// others are then taken to wait for it elsewhere; the failure is told and all ranks end with status 3.
 /// @param failure of this rank; empty: none
 /// @note Collective
 void meet(const Communicator& comm, const std::string& failure = {});

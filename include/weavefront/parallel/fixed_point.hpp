@@ -7,16 +7,18 @@
 
 namespace weavefront::parallel {
 
-/// Represents reals as 64-bit integers. Integers add associatively and commutatively, so a sum has the same bits whatever the order of its
-/// terms and however they are spread over ranks.
+/// Represents reals as 64-bit integers. Integers add associatively and commutatively, so a sum has the same
+/// bits whatever the order of its terms and however they are spread over ranks.
 ///
-/// The scale is a power of two, so that scaling itself never rounds. A single term may use 1/256 of the range: a sum of up to 256 terms
-/// cannot overflow. For nodal forces that is the valence of a node (4 elements) plus the contact points around it.
+/// The scale is a power of two, so that scaling itself never rounds. A single term may use 1/256 of the
+/// range: a sum of up to 256 terms cannot overflow. For nodal forces that is the valence of a node (4
+/// elements) plus the contact points around it.
 class FixedPoint {
   public:
     FixedPoint() = default;
 
-    /// @param largest a magnitude that no single term is expected to pass; up to 1024 times of it is representable
+    /// @param largest a magnitude that no single term is expected to pass; up to 1024 times of it is
+    /// representable
     explicit FixedPoint(double largest) {
         int exponent = 0;
         std::frexp(largest, &exponent);  // largest <= 2^exponent

@@ -9,8 +9,8 @@
 
 namespace weavefront::parallel {
 
-/// A piece of memory of each rank of a host, which all of them read and write. Its pages are reserved when it is made: none can be missing
-/// later. A rank's piece lies near to its processor.
+/// A piece of memory of each rank of a host, which all of them read and write. Its pages are reserved when it
+/// is made: none can be missing later. A rank's piece lies near to its processor.
 class SharedMemory {
   public:
     SharedMemory() = default;

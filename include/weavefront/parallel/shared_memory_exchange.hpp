@@ -12,8 +12,9 @@
 
 namespace weavefront::parallel {
 
-/// Each rank writes its messages into memory of its own that the other ranks of its host read. So a message is copied once less than by MPI
-/// on either side, and it is there whether or not its receiver is in a call of MPI. All ranks post in turn: once each, then again.
+/// Each rank writes its messages into memory of its own that the other ranks of its host read. So a message
+/// is copied once less than by MPI on either side, and it is there whether or not its receiver is in a call
+/// of MPI. All ranks post in turn: once each, then again.
 class SharedMemoryExchange {
   public:
     /// @note Collective
@@ -30,8 +31,8 @@ class SharedMemoryExchange {
     /// Whether the host has not had the memory: then no rank of it is reached from that `open` on.
     [[nodiscard]] bool is_refused() const { return is_refused_; }
 
-    /// Makes room for messages of other lengths, where the host has it. What was posted last has been read by all. @param bytes to each
-    /// rank; 0: none
+    /// Makes room for messages of other lengths, where the host has it. What was posted last has been read by
+    /// all. @param bytes to each rank; 0: none
     /// @note Collective
     void resize(std::span<const std::size_t> bytes);
 

@@ -15,8 +15,9 @@ struct MessageUnit {
 
 /// Of each kind of quantity the unit that the scene uses first, or a common one where it uses none.
 struct MessageUnits {
-    MessageUnit length{"mm", 1e-3}, area{"mm^2", 1e-6}, mass{"g", 1e-3}, time{"us", 1e-6}, rate{"1/s", 1}, speed{"m/s", 1},
-        density{"kg/m^3", 1}, areal_density{"g/m^2", 1e-3}, modulus{"GPa", 1e9}, viscosity{"MPa s", 1e6}, area_stiffness{"N/m^3", 1};
+    MessageUnit length{"mm", 1e-3}, area{"mm^2", 1e-6}, mass{"g", 1e-3}, time{"us", 1e-6}, rate{"1/s", 1},
+        speed{"m/s", 1}, density{"kg/m^3", 1}, areal_density{"g/m^2", 1e-3}, modulus{"GPa", 1e9},
+        viscosity{"MPa s", 1e6}, area_stiffness{"N/m^3", 1};
 };
 
 /// `0.25 mm`. @param si the value in SI @param digits significant ones

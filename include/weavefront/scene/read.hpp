@@ -11,8 +11,8 @@
 
 namespace weavefront::scene {
 
-/// What the user did wrong, exit status 2. Of a scene: everything at once, one line each: `file:line:column: what was found, what is
-/// allowed[, did you mean ...]`.
+/// What the user did wrong, exit status 2. Of a scene: everything at once, one line each: `file:line:column:
+/// what was found, what is allowed[, did you mean ...]`.
 class InputError : public std::runtime_error {
   public:
     /// @param more so many findings beside `messages` were counted, not kept
@@ -51,10 +51,11 @@ enum class Need { fabrics, impact };
 /// @param need      `impact` demands target, time and output as well; `fabrics` only the fabrics
 /// @throws InputError with every finding at once, or when the file cannot be read
 /// @note Reads a file; in a parallel run one rank reads the text and all call `parse_scene`.
-Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {}, Need need = Need::impact);
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
+                 Need need = Need::impact);
 
 /// The same from text. @param name stands in the messages where the file name would.
-Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {},
-                  Need need = Need::impact);
+Scene parse_scene(const std::string& text, const std::string& name,
+                  const std::vector<std::string>& overrides = {}, Need need = Need::impact);
 
 }  // namespace weavefront::scene

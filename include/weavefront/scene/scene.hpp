@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The scene as plain structs in SI units. Everything here is data: `read_scene` (scene/read.hpp) fills and validates it, the other modules
-/// only read it.
+/// The scene as plain structs in SI units. Everything here is data: `read_scene` (scene/read.hpp) fills and
+/// validates it, the other modules only read it.
 
 #include <array>
 #include <cstdint>
@@ -13,13 +13,15 @@
 
 namespace weavefront::scene {
 
-/// Which stress and friction the material returns: the work-conjugate one, or sections 1-7 of the paper literally.
+/// Which stress and friction the material returns: the work-conjugate one, or sections 1-7 of the paper
+/// literally.
 enum class Formulation { consistent, paper };
 
 /// When an element is eroded: as soon as any of its yarns is broken, or when both are.
 enum class Erode { both_yarns, any_yarn };
 
-/// How an edge of the target is held. `fixed`: no displacement; `sliding`: held in z only; `frame`: rests on the frame; `free`: not held.
+/// How an edge of the target is held. `fixed`: no displacement; `sliding`: held in z only; `frame`: rests on
+/// the frame; `free`: not held.
 enum class Edge { fixed, sliding, frame, free };
 
 /// Yarn geometry of the plain weave.
@@ -60,12 +62,13 @@ struct Fabric {
     Yarn yarn;
     double thickness = 0;  ///< t, crimp height of the cell, m; 0: straight yarns
     Elastic elastic;
-    std::optional<Failure> failure;        ///< absent: nothing breaks
-    std::optional<Lateral> lateral;        ///< absent: an open trellis at every angle
-    double friction = 0;                   ///< mu, yarn on yarn, 1; 0: none
-    double transverse_shear = 0;           ///< G23, Pa; 0: none
-    double hourglass = 0.05;               ///< in-plane hourglass stiffness over that of full integration, 1
-    double contact_thickness = 0;          ///< distance at which two such plies touch, m; default: effective thickness
+    std::optional<Failure> failure;  ///< absent: nothing breaks
+    std::optional<Lateral> lateral;  ///< absent: an open trellis at every angle
+    double friction = 0;             ///< mu, yarn on yarn, 1; 0: none
+    double transverse_shear = 0;     ///< G23, Pa; 0: none
+    double hourglass = 0.05;         ///< in-plane hourglass stiffness over that of full integration, 1
+    double contact_thickness =
+        0;  ///< distance at which two such plies touch, m; default: effective thickness
     std::string contact_thickness_source;  ///< where that comes from, in a few words
 
     /// t_e = areal density / fibre density, m.
@@ -77,10 +80,12 @@ struct Ply {
     std::int32_t fabric = 0;  ///< index into Scene::fabrics
     double angle = 0;         ///< of the fill yarns to the x axis, rad
     double spacing = 0;       ///< of its mid-surface from that of the ply before, m; 0 for the first ply
-    double z = 0;             ///< height of the mid-surface, m: the sum of the spacings; the first ply (struck first) is at 0
+    double z =
+        0;  ///< height of the mid-surface, m: the sum of the spacings; the first ply (struck first) is at 0
 };
 
-/// Element sizes of the panel: `center` at the impact point, growing outwards by `growth` an element up to `edge`.
+/// Element sizes of the panel: `center` at the impact point, growing outwards by `growth` an element up to
+/// `edge`.
 struct PanelMesh {
     double center = 0;  ///< m
     double edge = 0;    ///< m
@@ -99,7 +104,7 @@ struct Target {
     std::array<double, 2> size{};  ///< of the whole target, m
     std::vector<Ply> plies;        ///< in the order in which they are struck
     PanelMesh mesh;
-    std::array<bool, 2> symmetry{};                       ///< {x, y}: only the half x >= 0 (y >= 0) is modelled
+    std::array<bool, 2> symmetry{};  ///< {x, y}: only the half x >= 0 (y >= 0) is modelled
     std::array<Edge, 2> edges{Edge::fixed, Edge::fixed};  ///< of the edges whose normal is x, y
     std::optional<Frame> frame;                           ///< there when an edge rests on it
 };
@@ -109,11 +114,12 @@ enum class Shape { sphere, cylinder };
 /// Rigid projectile; its axis is z, it translates.
 struct Projectile {
     Shape shape = Shape::cylinder;
-    double diameter = 0;               ///< m
-    double edge_radius = 0;            ///< of the cylinder's rims, m
-    double length = 0;                 ///< of the cylinder, m; default: that of a steel cylinder (7850 kg/m3) of this mass
-    double mass = 0;                   ///< kg
-    std::array<double, 3> position{};  ///< of the foremost point of its nose on the axis, m; default: touching the first ply
+    double diameter = 0;     ///< m
+    double edge_radius = 0;  ///< of the cylinder's rims, m
+    double length = 0;  ///< of the cylinder, m; default: that of a steel cylinder (7850 kg/m3) of this mass
+    double mass = 0;    ///< kg
+    std::array<double, 3>
+        position{};  ///< of the foremost point of its nose on the axis, m; default: touching the first ply
     std::array<double, 3> velocity{};  ///< m/s
 };
 
@@ -125,7 +131,8 @@ struct ContactLaw {
 };
 
 struct Contact {
-    std::optional<double> spacing = 0.25e-3;  ///< integration points of an element at most this far apart, m; absent: at its nodes
+    std::optional<double> spacing =
+        0.25e-3;  ///< integration points of an element at most this far apart, m; absent: at its nodes
     std::optional<ContactLaw> projectile;
     std::optional<ContactLaw> plies;
     ContactLaw frame{.stiffness = 5.6e12, .unloading = 10, .damping = 0};  ///< used with a frame only
@@ -156,7 +163,8 @@ struct Scene {
         Stop stop = Stop::end;
     } time;
     struct Limits {
-        double energy_error = 0.05;  ///< the run stops when the closure error passes this share of the energy handed over
+        double energy_error =
+            0.05;  ///< the run stops when the closure error passes this share of the energy handed over
     } limits;
     Output output;
     std::string resolved;  ///< the scene as YAML with every default written out, SI

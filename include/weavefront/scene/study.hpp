@@ -13,10 +13,12 @@
 
 namespace weavefront::scene {
 
-/// What a variant computes: the impact of its scene, a yarn strained at a constant rate, or a cell taken through a deformation.
+/// What a variant computes: the impact of its scene, a yarn strained at a constant rate, or a cell taken
+/// through a deformation.
 enum class Compute { impact, yarn, cell };
 
-/// How the difference of two histories becomes a number: integral over time of its magnitude or square (root of it), or its largest.
+/// How the difference of two histories becomes a number: integral over time of its magnitude or square (root
+/// of it), or its largest.
 enum class Norm { l1, l2, max };
 
 /// A value given to a key of the scene, as `--set` does, or of the study's own sections `yarn` and `cell`.
@@ -39,7 +41,8 @@ struct Axis {
     std::vector<Choice> choices;
 };
 
-/// What is compared: an outcome of the run, a column of history.csv in a norm over time, or a field of results.vtkhdf at a time.
+/// What is compared: an outcome of the run, a column of history.csv in a norm over time, or a field of
+/// results.vtkhdf at a time.
 struct Measure {
     enum class Kind { outcome, history, field };
     Kind kind = Kind::outcome;
@@ -54,8 +57,9 @@ struct Measure {
 struct Reference {
     enum class Kind { none, variant, closed_form, file };
     Kind kind = Kind::none;
-    std::vector<std::optional<std::size_t>> choices;  ///< of the variant, one an axis; none: as in the variant that is compared
-    std::vector<Setting> settings;                    ///< of the variant beside them
+    std::vector<std::optional<std::size_t>>
+        choices;                    ///< of the variant, one an axis; none: as in the variant that is compared
+    std::vector<Setting> settings;  ///< of the variant beside them
     std::string closed_form;
     std::filesystem::path file;  ///< CSV of measured values
 };
@@ -81,8 +85,9 @@ struct Study {
     Compute compute = Compute::impact;
     std::vector<Setting> set;  ///< of every variant
     std::vector<Axis> axes;
-    std::optional<std::size_t> order;         ///< axis along which the order of convergence is observed
-    std::vector<std::string> order_findings;  ///< `order` names no axis: the fault is the axis' when that is no path of the scene
+    std::optional<std::size_t> order;  ///< axis along which the order of convergence is observed
+    std::vector<std::string>
+        order_findings;  ///< `order` names no axis: the fault is the axis' when that is no path of the scene
     Reference reference;
     std::vector<Measure> quantities;
     std::string text, name;  ///< of the file, for the sections that variants change
@@ -94,7 +99,7 @@ struct Variant {
     std::vector<std::string> labels;            ///< one an axis
     std::vector<std::optional<double>> values;  ///< one an axis
     std::vector<std::size_t> choices;           ///< indices, one an axis
-    std::vector<Setting> settings;              ///< `Study::set`, then those of the axes, then those of the reference
+    std::vector<Setting> settings;  ///< `Study::set`, then those of the axes, then those of the reference
 };
 
 /// What a variant computes with.
@@ -115,7 +120,8 @@ struct Vocabulary {
 /// @param name of the file, for messages and as what paths in it are relative to
 /// @param vocabulary of each kind of computation
 /// @throws InputError with every finding at once
-Study parse_study(const std::string& text, const std::string& name, const std::function<Vocabulary(Compute)>& vocabulary);
+Study parse_study(const std::string& text, const std::string& name,
+                  const std::function<Vocabulary(Compute)>& vocabulary);
 
 /// The product of the axes, the last one changing fastest.
 std::vector<Variant> variants_of(const Study& study);
@@ -128,7 +134,9 @@ Variant reference_of(const Study& study, const Variant& variant);
 /// @throws InputError with every finding at once, those of a setting at its place in the study file
 Case parse_case(const Study& study, const std::string& scene_text, const Variant& variant);
 
-/// Reads the cases of all variants. @throws InputError with every finding in any of them, each once; without any, those of `order`
-std::vector<Case> parse_cases(const Study& study, const std::string& scene_text, const std::vector<Variant>& variants);
+/// Reads the cases of all variants. @throws InputError with every finding in any of them, each once; without
+/// any, those of `order`
+std::vector<Case> parse_cases(const Study& study, const std::string& scene_text,
+                              const std::vector<Variant>& variants);
 
 }  // namespace weavefront::scene

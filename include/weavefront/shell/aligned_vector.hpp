@@ -15,7 +15,8 @@ struct CacheLineAllocator {
 
     CacheLineAllocator() = default;
     template <class U>
-    CacheLineAllocator(const CacheLineAllocator<U>&) {}  // NOLINT(google-explicit-constructor): allocators convert
+    CacheLineAllocator(const CacheLineAllocator<U>&) {
+    }  // NOLINT(google-explicit-constructor): allocators convert
     T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
     void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
     friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }

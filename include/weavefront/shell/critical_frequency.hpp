@@ -11,8 +11,8 @@
 
 namespace weavefront::shell {
 
-/// Bounds on omega^2 of an element with a quarter of its mass on each node, 1/s2. By the element eigenvalue inequality their maxima over
-/// the elements bound the whole model.
+/// Bounds on omega^2 of an element with a quarter of its mass on each node, 1/s2. By the element eigenvalue
+/// inequality their maxima over the elements bound the whole model.
 template <class Real>
 struct Frequencies {
     Real in_plane = 0.0;      ///< of motion in the element's plane
@@ -22,14 +22,15 @@ struct Frequencies {
 
 /// The bound on uniform deformation and hourglass modes together: these are orthogonal in parallelograms.
 template <class Real>
-WEAVEFRONT_INLINE Real with_hourglass(const fabric::MaskOf<Real>& parallelogram, const Real& uniform, const Real& modes) {
+WEAVEFRONT_INLINE Real with_hourglass(const fabric::MaskOf<Real>& parallelogram, const Real& uniform,
+                                      const Real& modes) {
     using fabric::max;
     using fabric::select;
     return select(parallelogram, max(modes, uniform), Real(uniform + modes));
 }
 
-/// omega^2 in steps of two to four thousandths, upwards: an element that is no worse than one before it need not be computed then, and the
-/// time step does not follow the rounding of the state.
+/// omega^2 in steps of two to four thousandths, upwards: an element that is no worse than one before it need
+/// not be computed then, and the time step does not follow the rounding of the state.
 inline double in_steps(double omega_squared) {
     constexpr double steps = 512;
     int exponent = 0;
@@ -47,10 +48,12 @@ WEAVEFRONT_INLINE Real largest_eigenvalue(const std::array<Real, 3>& M, const st
     return trace * 0.5 + sqrt(max(Real(0.0), Real(trace * trace * 0.25 - determinant)));
 }
 
-/// B_f . B_f, B_f . B_w and B_w . B_w over the corners, each over the corner's part of the element's mass, 1/m2.
+/// B_f . B_f, B_f . B_w and B_w . B_w over the corners, each over the corner's part of the element's mass,
+/// 1/m2.
 /// @param w13, w24 inverse parts of corners 1 and 3, 2 and 4: 1 where each has a quarter
 template <class Real>
-WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad, const Real& w13 = 1.0, const Real& w24 = 1.0) {
+WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad, const Real& w13 = 1.0,
+                                                        const Real& w24 = 1.0) {
     const Real f1 = w13 * quad.Bf1, f2 = w24 * quad.Bf2;
     return {2.0 * (f1 * quad.Bf1 + f2 * quad.Bf2), 2.0 * (f1 * quad.Bw1 + f2 * quad.Bw2),
             2.0 * (w13 * quad.Bw1 * quad.Bw1 + w24 * quad.Bw2 * quad.Bw2)};
@@ -58,24 +61,30 @@ WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad, 
 
 /// From bounds k of the cell's tangent with crossovers held.
 ///
-/// In the plane the quadratic form of uniform deformation is at most sum M_ij |dg_i| |dg_j| over the yarn vectors with
-/// M_ff = k_f + k_lateral + k_angle/lambda_f^2, M_fw = k_angle/(lambda_f lambda_w), because |d(2 theta)| <= |dg_f|/lambda_f +
-/// |dg_w|/lambda_w. With dg = B du and G = B B^T the frequency is 4 lambda_max(M G)/areal density, and so it is out of the plane.
+/// In the plane the quadratic form of uniform deformation is at most sum M_ij |dg_i| |dg_j| over the yarn
+/// vectors with M_ff = k_f + k_lateral + k_angle/lambda_f^2, M_fw = k_angle/(lambda_f lambda_w), because |d(2
+/// theta)| <= |dg_f|/lambda_f + |dg_w|/lambda_w. With dg = B du and G = B B^T the frequency is 4 lambda_max(M
+/// G)/areal density, and so it is out of the plane.
 template <class Real>
-WEAVEFRONT_INLINE Frequencies<Real> critical_frequencies(const Quad<Real>& quad, const fabric::Stiffness<Real>& k,
-                                                         const fabric::State<Real>& state, const HourglassStiffness& hourglass,
+WEAVEFRONT_INLINE Frequencies<Real> critical_frequencies(const Quad<Real>& quad,
+                                                         const fabric::Stiffness<Real>& k,
+                                                         const fabric::State<Real>& state,
+                                                         const HourglassStiffness& hourglass,
                                                          double areal_density) {
     const Real f = 1.0 / state.lambda_f, w = 1.0 / state.lambda_w;
     const double scale = 4 / areal_density;
     const auto G = gradient_products(quad);
     const std::array<Real, 3> sizes{G[0], abs(G[1]), G[2]};
-    const std::array<Real, 3> M{k.yarn_f + k.lateral + k.angle * f * f, k.angle * f * w, k.yarn_w + k.lateral + k.angle * w * w};
+    const std::array<Real, 3> M{k.yarn_f + k.lateral + k.angle * f * f, k.angle * f * w,
+                                k.yarn_w + k.lateral + k.angle * w * w};
     const auto parallelogram = (quad.e1 == 0.0) & (quad.e2 == 0.0);
     const Real gamma_squared = (2.0 + quad.e1 * quad.e1 + quad.e2 * quad.e2) * 0.125,
                modes = scale * gamma_squared * quad.shape / quad.area;
     const Real in_plane = hourglass.in_plane * modes;
     return {with_hourglass(parallelogram, Real(scale * largest_eigenvalue(M, sizes)), in_plane),
-            with_hourglass(parallelogram, Real(scale * largest_eigenvalue(k.normal, G)), Real(hourglass.warping * modes)), in_plane};
+            with_hourglass(parallelogram, Real(scale * largest_eigenvalue(k.normal, G)),
+                           Real(hourglass.warping * modes)),
+            in_plane};
 }
 
 }  // namespace weavefront::shell

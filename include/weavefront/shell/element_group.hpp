@@ -26,7 +26,8 @@ namespace weavefront::shell {
 /// Lanes of a pack.
 inline constexpr int pack_width = 8;
 
-/// Doubles of nodal force that a pack yields: corners 1 to 3, three directions, eight lanes. Corner 4 takes minus the sum.
+/// Doubles of nodal force that a pack yields: corners 1 to 3, three directions, eight lanes. Corner 4 takes
+/// minus the sum.
 inline constexpr std::size_t forces_per_pack = std::size_t{3} * 3 * pack_width;
 
 /// One element of a group.
@@ -69,10 +70,12 @@ struct IntactYarns {
 
 /// Stored fields of a fabric's state, by how many packs need them.
 struct StateSizes {
-    int changing, packing, damage;  ///< of damage with that of the element, none where the fabric does not break
+    int changing, packing,
+        damage;  ///< of damage with that of the element, none where the fabric does not break
 };
 
-/// State and kernel of the elements that share a fabric. What the fabric does not ask for has neither state nor code here.
+/// State and kernel of the elements that share a fabric. What the fabric does not ask for has neither state
+/// nor code here.
 class ElementGroup {
   public:
     virtual ~ElementGroup() = default;
@@ -98,29 +101,31 @@ class ElementGroup {
     /// Advances packs [first, first + count) to positions x.
     /// @param x      positions of the local nodes, m
     /// @param forces count * forces_per_pack doubles, N, [pack][corner][direction][lane]; 64-byte aligned
-    virtual void advance(std::int32_t first, std::int32_t count, std::span<const Eigen::Vector3d> x, std::span<double> forces,
-                         Events& events) = 0;
+    virtual void advance(std::int32_t first, std::int32_t count, std::span<const Eigen::Vector3d> x,
+                         std::span<double> forces, Events& events) = 0;
 
-    /// Bounds on the squared frequencies over the alive elements, from the instantaneous stiffness in the present state with all crossovers
-    /// held.
+    /// Bounds on the squared frequencies over the alive elements, from the instantaneous stiffness in the
+    /// present state with all crossovers held.
     [[nodiscard]] virtual Frequencies<double> frequencies() const = 0;
 
-    /// Whether `tighten` may find less by free crossovers and a coupling of fill and warp: yarns are crimped, in the consistent
-    /// formulation.
+    /// Whether `tighten` may find less by free crossovers and a coupling of fill and warp: yarns are crimped,
+    /// in the consistent formulation.
     [[nodiscard]] virtual bool is_crimped() const = 0;
     /// Whether it may by redistributed mass: yarns are packed.
     [[nodiscard]] virtual bool is_packed() const = 0;
 
-    /// Raises tighter bounds on `along` for each of `null_lagrangians` by those of the alive elements, with the crossovers that are free
-    /// let go.
+    /// Raises tighter bounds on `along` for each of `null_lagrangians` by those of the alive elements, with
+    /// the crossovers that are free let go.
     /// @param x positions of the local nodes, m
     void tighten(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const;
 
-    /// omega^2 in the plane of the alive elements if their yarns were slack and at right angles, 1/s2; 0 where `tighten` lets no crossover
-    /// go. It follows from the stretches and the crossover alone, and rises when slack yarns straighten.
+    /// omega^2 in the plane of the alive elements if their yarns were slack and at right angles, 1/s2; 0
+    /// where `tighten` lets no crossover go. It follows from the stretches and the crossover alone, and rises
+    /// when slack yarns straighten.
     [[nodiscard]] virtual double slack_frequency(const NullLagrangian& term, double smallest_area) const = 0;
 
-    /// What makes yarns stiffer than the bounds allow for, to be looked out for from now on. By default nothing.
+    /// What makes yarns stiffer than the bounds allow for, to be looked out for from now on. By default
+    /// nothing.
     struct StiffeningTrigger {
         double slack = std::numeric_limits<double>::infinity();  ///< the first slack_frequency above it, 1/s2
         NullLagrangian term{};
@@ -129,11 +134,15 @@ class ElementGroup {
     };
     void set_trigger(const StiffeningTrigger& trigger) { trigger_ = trigger; }
     /// Whether it has come, in the last step of all elements.
-    [[nodiscard]] bool has_stiffened() const { return has_straightened_ || (trigger_.packing && is_packed()); }
+    [[nodiscard]] bool has_stiffened() const {
+        return has_straightened_ || (trigger_.packing && is_packed());
+    }
 
-    /// Least n |n| over the alive elements, n the cosine of the angle between the element's normal and `axis`, of unit length; at most
-    /// `known`. It stops looking where it finds less than `enough`. @param x positions of the local nodes, m
-    [[nodiscard]] double least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis, double known, double enough);
+    /// Least n |n| over the alive elements, n the cosine of the angle between the element's normal and
+    /// `axis`, of unit length; at most `known`. It stops looking where it finds less than `enough`. @param x
+    /// positions of the local nodes, m
+    [[nodiscard]] double least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis,
+                                      double known, double enough);
 
     /// Number of alive elements that are folded over themselves. @param x positions of the local nodes, m
     [[nodiscard]] virtual std::int64_t inverted(std::span<const Eigen::Vector3d> x) const = 0;
@@ -141,7 +150,8 @@ class ElementGroup {
     [[nodiscard]] virtual IntactYarns intact_yarns(std::int32_t index) const = 0;
     [[nodiscard]] virtual ElementEnergy energy(std::int32_t index) const = 0;
     /// @param x positions of the local nodes, m
-    [[nodiscard]] virtual ElementOutput output(std::int32_t index, std::span<const Eigen::Vector3d> x) const = 0;
+    [[nodiscard]] virtual ElementOutput output(std::int32_t index,
+                                               std::span<const Eigen::Vector3d> x) const = 0;
 
     /// All that an element is and has been through, to be taken up by another group of the same fabric.
     void save(std::int32_t index, std::vector<double>& record) const;
@@ -154,21 +164,32 @@ class ElementGroup {
 
   protected:
     /// What `tighten` does, of uniform deformation alone: without hourglass modes.
-    virtual void tighten_uniform(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const = 0;
+    virtual void tighten_uniform(const TighteningStart& start, std::span<const Eigen::Vector3d> x,
+                                 TightBounds& bounds) const = 0;
 
-    ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, const StateSizes& sizes);
+    ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements,
+                 const StateSizes& sizes);
 
     /// Reference geometry of an element, eroded or not.
-    [[nodiscard]] Quad<double> whole_quad(std::int32_t index) const { return quads_.of(index % quads_.repeat_length()); }
-    [[nodiscard]] double area(std::int32_t index) const { return alive(index) ? whole_quad(index).area : 0.0; }
-    [[nodiscard]] double hourglass_energy(std::int32_t index) const { return hourglass_energy_[static_cast<std::size_t>(index)]; }
+    [[nodiscard]] Quad<double> whole_quad(std::int32_t index) const {
+        return quads_.of(index % quads_.repeat_length());
+    }
+    [[nodiscard]] double area(std::int32_t index) const {
+        return alive(index) ? whole_quad(index).area : 0.0;
+    }
+    [[nodiscard]] double hourglass_energy(std::int32_t index) const {
+        return hourglass_energy_[static_cast<std::size_t>(index)];
+    }
     std::size_t slot(std::int32_t index, int field) const {
-        const auto pack = static_cast<std::size_t>(index / pack_width), lane = static_cast<std::size_t>(index % pack_width);
-        return (pack * static_cast<std::size_t>(changing_fields_) + static_cast<std::size_t>(field)) * pack_width + lane;
+        const auto pack = static_cast<std::size_t>(index / pack_width),
+                   lane = static_cast<std::size_t>(index % pack_width);
+        return (pack * static_cast<std::size_t>(changing_fields_) + static_cast<std::size_t>(field)) *
+                   pack_width +
+               lane;
     }
     /// Corners of a pack's elements.
-    [[nodiscard]] WEAVEFRONT_INLINE std::array<Vector<fabric::Pack>, 4> gather(std::int32_t pack,
-                                                                               std::span<const Eigen::Vector3d> x) const {
+    [[nodiscard]] WEAVEFRONT_INLINE std::array<Vector<fabric::Pack>, 4> gather(
+        std::int32_t pack, std::span<const Eigen::Vector3d> x) const {
         std::array<Vector<fabric::Pack>, 4> corners;
         for (std::size_t a = 0; a < 4; ++a) {
             const auto [px, py, pz] = fabric::gather_vectors(x[0].data(), nodes(pack)[a]);
@@ -207,6 +228,7 @@ class ElementGroup {
 };
 
 /// The group with exactly the features that the fabric asks for.
-std::unique_ptr<ElementGroup> make_element_group(const scene::Fabric& fabric, std::span<const GroupElement> elements);
+std::unique_ptr<ElementGroup> make_element_group(const scene::Fabric& fabric,
+                                                 std::span<const GroupElement> elements);
 
 }  // namespace weavefront::shell

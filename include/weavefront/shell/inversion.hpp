@@ -9,8 +9,9 @@
 
 namespace weavefront::shell {
 
-/// True where the quad is folded over itself: |g_f x g_w| is never negative, but of the four corner normals (the orientation of the quad
-/// at its corners) two or more then point against the mean normal, or all are at odds with it.
+/// True where the quad is folded over itself: |g_f x g_w| is never negative, but of the four corner normals
+/// (the orientation of the quad at its corners) two or more then point against the mean normal, or all are at
+/// odds with it.
 /// @param x current corners, m
 template <class Real>
 WEAVEFRONT_INLINE fabric::MaskOf<Real> is_inverted(const std::array<Vector<Real>, 4>& x) {
@@ -19,7 +20,8 @@ WEAVEFRONT_INLINE fabric::MaskOf<Real> is_inverted(const std::array<Vector<Real>
     Real against = 0.0;
     for (std::size_t a = 0; a < 4; ++a) {
         const auto normal = cross(x[(a + 1) % 4] - x[a], x[(a + 3) % 4] - x[a]);
-        against += select(normal.x * mean.x + (normal.y * mean.y + normal.z * mean.z) <= 0.0, Real(1.0), Real(0.0));
+        against +=
+            select(normal.x * mean.x + (normal.y * mean.y + normal.z * mean.z) <= 0.0, Real(1.0), Real(0.0));
     }
     return against >= 2.0;
 }

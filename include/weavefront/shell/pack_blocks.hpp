@@ -16,7 +16,9 @@ class PackBlocks {
   public:
     /// @param fields of a pack; without any nothing is stored and nothing may be asked for
     PackBlocks(std::int32_t packs, int fields, double idle)
-        : block_(static_cast<std::size_t>(fields) * fabric::pack_width), idle_(idle), slots_(fields > 0 ? packs : 0, -1) {}
+        : block_(static_cast<std::size_t>(fields) * fabric::pack_width),
+          idle_(idle),
+          slots_(fields > 0 ? packs : 0, -1) {}
 
     /// Field after field of a pack, 64-byte aligned; null: all idle.
     [[nodiscard]] const double* find(std::int32_t pack) const {
@@ -34,7 +36,9 @@ class PackBlocks {
             }
             slot = free_.back();
             free_.pop_back();
-            std::fill_n(blocks_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(slot) * block_), block_, idle_);
+            std::fill_n(
+                blocks_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(slot) * block_),
+                block_, idle_);
         }
         return blocks_.data() + static_cast<std::size_t>(slot) * block_;
     }
@@ -58,7 +62,9 @@ class PackBlocks {
     void set(std::int32_t pack, int field, int lane, double value) {
         if (find(pack) || value != idle_) take(pack)[field * fabric::pack_width + lane] = value;
     }
-    [[nodiscard]] std::size_t bytes() const { return blocks_.size() * sizeof(double) + slots_.size() * sizeof(std::int32_t); }
+    [[nodiscard]] std::size_t bytes() const {
+        return blocks_.size() * sizeof(double) + slots_.size() * sizeof(std::int32_t);
+    }
 
   private:
     std::size_t block_;  ///< doubles

@@ -9,10 +9,12 @@
 
 namespace weavefront::shell {
 
-/// What the element kernel needs of the reference configuration. With the shape function gradients b_a at the centre, B_f = b . q0_f and
-/// B_w = b . q0_w (q0: initial yarn directions). At the centre of a quad b_3 = -b_1 and b_4 = -b_2, so two corners say it all.
+/// What the element kernel needs of the reference configuration. With the shape function gradients b_a at the
+/// centre, B_f = b . q0_f and B_w = b . q0_w (q0: initial yarn directions). At the centre of a quad b_3 =
+/// -b_1 and b_4 = -b_2, so two corners say it all.
 ///
-/// Hourglass vector: gamma = (h - e_1 (1,0,-1,0) - e_2 (0,1,0,-1))/4 with h = (1,-1,1,-1); e_1 = e_2 = 0 for parallelograms.
+/// Hourglass vector: gamma = (h - e_1 (1,0,-1,0) - e_2 (0,1,0,-1))/4 with h = (1,-1,1,-1); e_1 = e_2 = 0 for
+/// parallelograms.
 template <class Real>
 struct Quad {
     Real Bf1, Bf2;  ///< fill gradients of corners 1 and 2, 1/m
@@ -31,7 +33,8 @@ inline constexpr int quad_size = 8;
 /// @throws std::invalid_argument when the quad is not convex
 Quad<double> make_quad(const std::array<Eigen::Vector3d, 4>& corners, double angle);
 
-/// The yarn vectors g_f = F q0_f and g_w = F q0_w from the current corners, and what hourglass control works on.
+/// The yarn vectors g_f = F q0_f and g_w = F q0_w from the current corners, and what hourglass control works
+/// on.
 template <class Real>
 struct Kinematics {
     Vector<Real> g_f, g_w;  ///< convected yarn vectors, 1
@@ -39,7 +42,8 @@ struct Kinematics {
 };
 
 template <class Real>
-WEAVEFRONT_INLINE Kinematics<Real> kinematics_of(const Quad<Real>& quad, const std::array<Vector<Real>, 4>& x) {
+WEAVEFRONT_INLINE Kinematics<Real> kinematics_of(const Quad<Real>& quad,
+                                                 const std::array<Vector<Real>, 4>& x) {
     const auto d13 = x[0] - x[2], d24 = x[1] - x[3];
     const Real quarter = Real(0.25);
     return {quad.Bf1 * d13 + quad.Bf2 * d24, quad.Bw1 * d13 + quad.Bw2 * d24,

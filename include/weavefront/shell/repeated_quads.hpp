@@ -11,7 +11,8 @@
 
 namespace weavefront::shell {
 
-/// The quads of a group's elements in their order. Plies over one grid of columns repeat theirs: one repeat is stored.
+/// The quads of a group's elements in their order. Plies over one grid of columns repeat theirs: one repeat
+/// is stored.
 class RepeatedQuads {
   public:
     explicit RepeatedQuads(std::span<const Quad<double>> quads);
@@ -26,8 +27,9 @@ class RepeatedQuads {
 
     /// Those of eight elements from `at` on. @param at 0..repeat-1
     [[nodiscard]] WEAVEFRONT_INLINE Quad<fabric::Pack> pack_from(std::int32_t at) const {
-        return with_fields<fabric::Pack>([&](std::size_t field)
-                                             __attribute__((always_inline)) { return fabric::Pack::load_anywhere(from(at, field)); });
+        return with_fields<fabric::Pack>([&](std::size_t field) __attribute__((always_inline)) {
+            return fabric::Pack::load_anywhere(from(at, field));
+        });
     }
 
     [[nodiscard]] std::size_t bytes() const { return fields_.size() * sizeof(double); }
@@ -42,7 +44,7 @@ class RepeatedQuads {
     }
 
     std::int32_t repeat_length_;
-    std::size_t length_;          ///< of a field: a repeat and the start of the next, for packs that reach into it
+    std::size_t length_;  ///< of a field: a repeat and the start of the next, for packs that reach into it
     std::vector<double> fields_;  ///< [field][element]
 };
 

@@ -28,8 +28,8 @@ inline void rotate(Matrix4& a, std::size_t p, std::size_t q) {
     }
 }
 
-/// An upper bound of the largest eigenvalue, to rounding: Jacobi rotations, then Gershgorin's circles around what is left beside the
-/// diagonal. Only + - * / sqrt, so the same bits on every processor.
+/// An upper bound of the largest eigenvalue, to rounding: Jacobi rotations, then Gershgorin's circles around
+/// what is left beside the diagonal. Only + - * / sqrt, so the same bits on every processor.
 inline double largest_eigenvalue(Matrix4 a) {
     for (int sweep = 0; sweep < 6; ++sweep)
         for (std::size_t p = 0; p < 3; ++p)

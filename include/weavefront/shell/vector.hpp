@@ -10,9 +10,15 @@ template <class Real>
 struct Vector {
     Real x, y, z;
 
-    WEAVEFRONT_INLINE friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    WEAVEFRONT_INLINE friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    WEAVEFRONT_INLINE friend Vector operator*(const Real& s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
+    WEAVEFRONT_INLINE friend Vector operator+(const Vector& a, const Vector& b) {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    WEAVEFRONT_INLINE friend Vector operator-(const Vector& a, const Vector& b) {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+    WEAVEFRONT_INLINE friend Vector operator*(const Real& s, const Vector& a) {
+        return {s * a.x, s * a.y, s * a.z};
+    }
 };
 
 template <class Real>

@@ -13,8 +13,8 @@
 
 namespace weavefront::solver {
 
-/// Adds element and contact forces to the nodes. The last share of every element and of every pair in contact is minus the integer sum of
-/// the others, so internal forces add up to exactly nothing.
+/// Adds element and contact forces to the nodes. The last share of every element and of every pair in contact
+/// is minus the integer sum of the others, so internal forces add up to exactly nothing.
 class Assembly {
   public:
     Assembly() = default;
@@ -25,8 +25,8 @@ class Assembly {
     void start(std::vector<FixedVector>& sums);
 
     /// Forces of consecutive packs of a group, as ElementGroup::advance leaves them.
-    void add_packs(const shell::ElementGroup& group, std::int32_t first, std::int32_t count, std::span<const double> forces,
-                   std::vector<FixedVector>& sums);
+    void add_packs(const shell::ElementGroup& group, std::int32_t first, std::int32_t count,
+                   std::span<const double> forces, std::vector<FixedVector>& sums);
 
     /// A pair in contact; what it exerts on the projectile is added to `on_projectile`.
     void add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums, FixedVector& on_projectile);
@@ -36,17 +36,19 @@ class Assembly {
     /// True when a contact force was not finite or out of range.
     [[nodiscard]] bool faulty_contact() const { return faulty_contact_; }
 
-    [[nodiscard]] Vec3 value(const FixedVector& sum) const { return {scale_.to(sum[0]), scale_.to(sum[1]), scale_.to(sum[2])}; }
+    [[nodiscard]] Vec3 value(const FixedVector& sum) const {
+        return {scale_.to(sum[0]), scale_.to(sum[1]), scale_.to(sum[2])};
+    }
     [[nodiscard]] const parallel::FixedPoint& scale() const { return scale_; }
 
   private:
     /// Adds all lanes of a pack, or none and returns false when one of them is out of range.
-    bool add_pack(const std::array<std::array<std::int32_t, shell::pack_width>, 4>& nodes, const double* forces, std::size_t lanes,
-                  std::vector<FixedVector>& sums) const;
+    bool add_pack(const std::array<std::array<std::int32_t, shell::pack_width>, 4>& nodes,
+                  const double* forces, std::size_t lanes, std::vector<FixedVector>& sums) const;
     void add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces, std::size_t lane,
                   std::vector<FixedVector>& sums, std::int32_t element);
-    void share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces, const FixedVector& total,
-               std::vector<FixedVector>& sums) const;
+    void share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces,
+               const FixedVector& total, std::vector<FixedVector>& sums) const;
 
     parallel::FixedPoint scale_;
     std::int32_t faulty_element_ = -1;

@@ -11,23 +11,27 @@ namespace weavefront::solver {
 
 /// Everything refers to the whole target, also when a symmetric part is modelled. Energies in J.
 ///
-/// Work is counted as the trapezoid of the forces over each step. With the kinetic energy taken as m v(n-1/2).(v(n-1/2) + a(n) dt)/2
-/// the sum of all columns then stays constant to rounding as far as each column counts what the nodal forces do; the ledger counts what
-/// the yarns, the hourglass potential and the contact points do, so the defect tests the kernel, not the bookkeeping.
+/// Work is counted as the trapezoid of the forces over each step. With the kinetic energy taken as m
+/// v(n-1/2).(v(n-1/2) + a(n) dt)/2 the sum of all columns then stays constant to rounding as far as each
+/// column counts what the nodal forces do; the ledger counts what the yarns, the hourglass potential and the
+/// contact points do, so the defect tests the kernel, not the bookkeeping.
 struct Balance {
     double time = 0;
-    Vec3 projectile{0, 0, 0}, projectile_velocity{0, 0, 0}, contact_force{0, 0, 0};  ///< m, m/s, N on the projectile
+    Vec3 projectile{0, 0, 0}, projectile_velocity{0, 0, 0},
+        contact_force{0, 0, 0};  ///< m, m/s, N on the projectile
     double kinetic_fabric = 0, kinetic_projectile = 0;
     double internal = 0;   ///< work done on the yarns and on their packing, stored or not
     double hourglass = 0;  ///< potential of the hourglass modes and of warping
     double contact = 0;    ///< stored and damped in contact
     double friction = 0;   ///< of the yarns
     double damping = 0;
-    double external = 0;            ///< done by supports: none of them moves
-    double eroded = 0;              ///< hourglass energy let go with broken yarns and eroded elements
-    double energy_error = 0;        ///< closure error over the initial energy
-    double transferred_energy = 0;  ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
-    double closure_error = 0;       ///< closure error over the transferred energy: what a heavy projectile keeps cannot hide it
+    double external = 0;      ///< done by supports: none of them moves
+    double eroded = 0;        ///< hourglass energy let go with broken yarns and eroded elements
+    double energy_error = 0;  ///< closure error over the initial energy
+    double transferred_energy =
+        0;  ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
+    double closure_error =
+        0;  ///< closure error over the transferred energy: what a heavy projectile keeps cannot hide it
     std::int64_t broken_yarns = 0, eroded_elements = 0;
     double max_displacement = 0;      ///< of a node of joined fabric along z, m: see JoinedFabric
     double back_face_deflection = 0;  ///< of joined fabric of the last ply along z, the largest, m
@@ -39,11 +43,13 @@ struct Balance {
 
     /// What must stay constant, J.
     [[nodiscard]] double total() const {
-        return kinetic_fabric + kinetic_projectile + internal + hourglass + contact + friction + damping + eroded - external;
+        return kinetic_fabric + kinetic_projectile + internal + hourglass + contact + friction + damping +
+               eroded - external;
     }
 };
 
-/// Refuses a balance that does not close, and energy from nowhere: what yarns, friction or contact have given beyond what they had taken.
+/// Refuses a balance that does not close, and energy from nowhere: what yarns, friction or contact have given
+/// beyond what they had taken.
 /// @param limit of the closure error and of that energy, over the transferred energy
 /// @throws GuardStop
 void require_balance(const Balance& balance, double limit, std::int64_t step);

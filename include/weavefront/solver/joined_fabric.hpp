@@ -11,10 +11,11 @@
 
 namespace weavefront::solver {
 
-/// Fabric is joined where unbroken yarns lead to a support: an edge that is held. A ply without one keeps its largest piece. All other
-/// fabric is debris.
+/// Fabric is joined where unbroken yarns lead to a support: an edge that is held. A ply without one keeps its
+/// largest piece. All other fabric is debris.
 ///
-/// A yarn joins the nodes of its element along its direction. In a turned ply, whose yarns cross elements at a slant, it joins all four.
+/// A yarn joins the nodes of its element along its direction. In a turned ply, whose yarns cross elements at
+/// a slant, it joins all four.
 class JoinedFabric {
   public:
     /// Finds the pieces of all plies. @note Collective

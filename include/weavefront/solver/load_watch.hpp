@@ -18,9 +18,10 @@ struct Rebalancing {
     double predicted;  ///< the same of the new decomposition
 };
 
-/// Measures what elements and contact cost on every rank, in windows of some steps. Where the slowest rank stays above the mean by more
-/// than a limit, columns are shared out anew by what they have to do now, if that promises to win back more than the limit: perforation and
-/// the spreading deflection move the work of contact.
+/// Measures what elements and contact cost on every rank, in windows of some steps. Where the slowest rank
+/// stays above the mean by more than a limit, columns are shared out anew by what they have to do now, if
+/// that promises to win back more than the limit: perforation and the spreading deflection move the work of
+/// contact.
 class LoadWatch {
   public:
     static constexpr std::int64_t window = 200;  ///< steps

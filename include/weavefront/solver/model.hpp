@@ -50,7 +50,8 @@ struct Model {
     std::optional<contact::PlyContact> ply_contact;
     std::optional<contact::FrameContact> frame_contact;
     std::optional<contact::ProjectileOnFrame> projectile_on_frame;
-    /// What results show of owned elements that are eroded, as it was when that happened: their strains go on growing with their nodes.
+    /// What results show of owned elements that are eroded, as it was when that happened: their strains go on
+    /// growing with their nodes.
     std::unordered_map<std::int32_t, shell::ElementOutput> eroded;
 
     /// Whether contact remembers anything of an owned element: it touches another ply or the projectile.
@@ -64,11 +65,11 @@ struct Model {
 /// @param ghost_reach as for `Ghosts`, m; 0: no ghosts
 /// @throws std::invalid_argument when there are more ranks than columns
 /// @note Collective
-partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel, double ghost_reach,
-                                               const parallel::Communicator& comm);
+partition::Decomposition initial_decomposition(const scene::Scene& scene, const mesh::Panel& panel,
+                                               double ghost_reach, const parallel::Communicator& comm);
 
 /// This rank's part of the target, at rest. @note Collective
-Model build_model(const scene::Scene& scene, const mesh::Panel& panel, const partition::Decomposition& decomposition,
-                  const parallel::Communicator& comm);
+Model build_model(const scene::Scene& scene, const mesh::Panel& panel,
+                  const partition::Decomposition& decomposition, const parallel::Communicator& comm);
 
 }  // namespace weavefront::solver

@@ -28,8 +28,8 @@ struct InitialPositions {
     [[nodiscard]] double height(std::size_t node) const { return heights[node / in_plane.one_ply.size()]; }
 };
 
-/// The rank's own nodes come first, then the ghosts that contact needs. A node on the border between parts, or near to one, stands on every
-/// rank that knows it; each of them moves it, with the same bits.
+/// The rank's own nodes come first, then the ghosts that contact needs. A node on the border between parts,
+/// or near to one, stands on every rank that knows it; each of them moves it, with the same bits.
 struct Nodes {
     std::int32_t count = 0;              ///< without ghosts
     std::vector<std::int64_t> ids;       ///< global, ascending

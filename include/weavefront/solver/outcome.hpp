@@ -10,7 +10,8 @@
 
 namespace weavefront::solver {
 
-/// `passed` is no result: the projectile is behind plies that are whole where it passed, or flew past the target.
+/// `passed` is no result: the projectile is behind plies that are whole where it passed, or flew past the
+/// target.
 enum class Verdict { still_moving, stopped, perforated, passed };
 
 /// As written to summary.json and the log.
@@ -26,9 +27,10 @@ struct Outcome {
 /// Of a run with a projectile and its contact; without them the projectile is still moving.
 Outcome outcome_of(const Simulation& simulation);
 
-/// Whether the verdict stands and the back face has swung back: it is decided, nothing has touched the projectile over the last tenth of
-/// a diameter of its way, and the deflection has fallen by 1 % from its largest. The latter is not asked of a perforated target that
-/// nothing supports, which flies on. Flaps around a hole may swing farther later.
+/// Whether the verdict stands and the back face has swung back: it is decided, nothing has touched the
+/// projectile over the last tenth of a diameter of its way, and the deflection has fallen by 1 % from its
+/// largest. The latter is not asked of a perforated target that nothing supports, which flies on. Flaps
+/// around a hole may swing farther later.
 /// @param balance of the present time
 bool is_settled(const Simulation& simulation, const Balance& balance);
 

@@ -14,7 +14,8 @@
 
 namespace weavefront::solver {
 
-/// How the projectile came behind a ply: through a hole, through fabric with nothing eroded around it, or past its edge.
+/// How the projectile came behind a ply: through a hole, through fabric with nothing eroded around it, or
+/// past its edge.
 enum class Way { hole, whole_fabric, beside };
 
 struct Passage {
@@ -23,8 +24,9 @@ struct Passage {
     std::int64_t element;  ///< that lies across its way; -1: none does
 };
 
-/// The projectile has passed a ply when its middle is behind the fabric of the ply within its radius, as seen along z, and the ply does not
-/// press on it. Debris, elements with a broken yarn and those at the rim of a hole do not count: they may fly or hang ahead of it for long.
+/// The projectile has passed a ply when its middle is behind the fabric of the ply within its radius, as seen
+/// along z, and the ply does not press on it. Debris, elements with a broken yarn and those at the rim of a
+/// hole do not count: they may fly or hang ahead of it for long.
 class Passages {
   public:
     explicit Passages(std::size_t plies) : plies_(plies) {}
@@ -35,8 +37,9 @@ class Passages {
     /// @param middle of the projectile, m
     /// @param radius of the projectile about its axis, m
     /// @note Collective
-    void look(const Model& model, const JoinedFabric& fabric, const mesh::Panel& panel, std::span<const contact::PairForce> pairs,
-              const Vec3& middle, double radius, double time, const parallel::Communicator& comm);
+    void look(const Model& model, const JoinedFabric& fabric, const mesh::Panel& panel,
+              std::span<const contact::PairForce> pairs, const Vec3& middle, double radius, double time,
+              const parallel::Communicator& comm);
 
     /// Of each ply; absent: the projectile has not passed it.
     [[nodiscard]] const std::vector<std::optional<Passage>>& plies() const { return plies_; }

@@ -20,7 +20,8 @@ using PhaseSeconds = std::array<double, phase_names.size()>;
 /// Adds its lifetime to one phase.
 class Timed {
   public:
-    Timed(PhaseSeconds& seconds, Phase phase) : seconds_(seconds[static_cast<std::size_t>(phase)]), start_(Clock::now()) {}
+    Timed(PhaseSeconds& seconds, Phase phase)
+        : seconds_(seconds[static_cast<std::size_t>(phase)]), start_(Clock::now()) {}
     ~Timed() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
     Timed(const Timed&) = delete;
     Timed& operator=(const Timed&) = delete;

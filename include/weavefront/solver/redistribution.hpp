@@ -6,11 +6,12 @@
 
 namespace weavefront::solver {
 
-/// The same state on ranks that hold other columns: nothing of what follows differs by a bit. Ghosts and candidates of contact are left to
-/// be rebuilt.
+/// The same state on ranks that hold other columns: nothing of what follows differs by a bit. Ghosts and
+/// candidates of contact are left to be rebuilt.
 /// @param model between two steps: forces have been used, and erosions are known to the surface
 /// @note Collective
-Model redistribute(const scene::Scene& scene, const mesh::Panel& panel, const partition::Decomposition& decomposition, const Model& model,
+Model redistribute(const scene::Scene& scene, const mesh::Panel& panel,
+                   const partition::Decomposition& decomposition, const Model& model,
                    const parallel::Communicator& comm);
 
 }  // namespace weavefront::solver

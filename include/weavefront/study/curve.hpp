@@ -31,9 +31,9 @@ struct Curve {
     std::vector<double> value;  ///< one a time
 };
 
-/// Distance of two curves in a norm over the time that both cover, over the norm of `reference` there (absolute where that is zero).
-/// Both are linear between their points, and the norm is that of their difference: l1 and max exactly, but for changes of sign inside an
-/// interval of l1; l2 exactly.
+/// Distance of two curves in a norm over the time that both cover, over the norm of `reference` there
+/// (absolute where that is zero). Both are linear between their points, and the norm is that of their
+/// difference: l1 and max exactly, but for changes of sign inside an interval of l1; l2 exactly.
 /// @returns NaN when they share no interval of time
 double distance(const Curve& curve, const Curve& reference, scene::Norm norm);
 

@@ -14,8 +14,8 @@ struct Job {
     int columns;  ///< most ranks that can share it
 };
 
-/// First the longest variants, each on all ranks, one after another; then groups of ranks side by side, each taking the next one when it is
-/// done.
+/// First the longest variants, each on all ranks, one after another; then groups of ranks side by side, each
+/// taking the next one when it is done.
 struct RankPlan {
     std::vector<std::size_t> order;  ///< indices of the jobs, longest first
     std::size_t together = 0;        ///< so many of the first are computed by all ranks
@@ -23,8 +23,8 @@ struct RankPlan {
     double expected = 0;             ///< duration, in the unit of the costs
 };
 
-/// The plan that is expected to end first. Side by side there is neither halo nor idling, but the longest variant may keep one group busy
-/// when all others are done.
+/// The plan that is expected to end first. Side by side there is neither halo nor idling, but the longest
+/// variant may keep one group busy when all others are done.
 /// @param jobs  what is left to compute
 /// @param ranks at least 1
 RankPlan plan_ranks(std::span<const Job> jobs, int ranks);

@@ -22,7 +22,8 @@ struct StripWaves {
     double longitudinal_speed;  ///< of the front, where the strain falls through half of its plateau, m/s
 };
 
-/// Measures over the last three quarters of the frames; the first is left to the strip under the face of the projectile.
+/// Measures over the last three quarters of the frames; the first is left to the strip under the face of the
+/// projectile.
 /// @param frames   at least four, of a strip whose waves have not reached its ends
 /// @param expected strain behind the front, roughly, 1: tells where the front is
 /// @throws std::runtime_error where there is no wave to measure

@@ -67,8 +67,8 @@ Means means_of(const StepTimes& times, std::span<const double> in_zone, std::siz
     return means;
 }
 
-/// Least squares of contact, less what watching takes, over the pressed elements and over those in the zone with a weight that declines
-/// linearly over the run.
+/// Least squares of contact, less what watching takes, over the pressed elements and over those in the zone
+/// with a weight that declines linearly over the run.
 void fit_touch(const scene::Scene& scene, const StepTimes& times, const ContactLoad& load, Machine& machine) {
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     Vec3 with_contact = Vec3::Zero(), sums = Vec3::Zero();
@@ -94,11 +94,14 @@ void fit_contact(const scene::Scene& scene, const StepTimes& times, Machine& mac
     const auto load = contact_load(scene, times);
     const auto steps = load.in_zone.size();
     // The first step allocates.
-    const auto early = means_of(times, load.in_zone, 1, 2 + steps / 100), whole = means_of(times, load.in_zone, 0, steps);
+    const auto early = means_of(times, load.in_zone, 1, 2 + steps / 100),
+               whole = means_of(times, load.in_zone, 0, steps);
     const auto elements = static_cast<double>(times.elements);
     if (!(whole.in_zone - early.in_zone > 0.05 * elements))
-        refuse(fmt::format("contact reaches {:.2g} % of the elements in the mean over the run, allowed are at least 5 %: a later time.end",
-                           100 * whole.in_zone / elements));
+        refuse(
+            fmt::format("contact reaches {:.2g} % of the elements in the mean over the run, allowed are at "
+                        "least 5 %: a later time.end",
+                        100 * whole.in_zone / elements));
     // The zone is small at first: a few rounds settle what is watched and what touches.
     for (int round = 0; round < 5; ++round) {
         machine.watch = std::max(0.0, (early.contact - machine.touch * early.in_zone) / elements);
@@ -107,20 +110,24 @@ void fit_contact(const scene::Scene& scene, const StepTimes& times, Machine& mac
 }
 
 void fit_steps(const scene::Scene& scene, const StepTimes& times, Machine& machine) {
-    const auto steps = static_cast<double>(times.steps.size()), elements = static_cast<double>(times.elements);
+    const auto steps = static_cast<double>(times.steps.size()),
+               elements = static_cast<double>(times.elements);
     const auto searches = static_cast<double>(std::ranges::count(times.steps, true, &StepTime::searched));
-    if (times.steps.size() < 100) refuse(fmt::format("the run has {} steps, allowed are at least 100", times.steps.size()));
+    if (times.steps.size() < 100)
+        refuse(fmt::format("the run has {} steps, allowed are at least 100", times.steps.size()));
     if (searches == 0) refuse("nothing had to be looked for anew up to time.end; allowed is a longer run");
     fit_contact(scene, times, machine);
     machine.element = times.sum(Phase::elements) / (steps * elements);
     machine.search = times.sum(Phase::search) / (searches * elements);
     machine.searches_per_step = 1;
     machine.searches_per_step = searches / steps / partition::renewals(scene, machine);
-    const double rest = times.mean() * steps - times.sum(Phase::elements) - times.sum(Phase::contact) - times.sum(Phase::search);
+    const double rest = times.mean() * steps - times.sum(Phase::elements) - times.sum(Phase::contact) -
+                        times.sum(Phase::search);
     machine.node = rest / (steps * static_cast<double>(times.nodes));
 }
 
-/// Least time of one call over batches of calls that all ranks begin together, the most of the ranks, s. @note Collective
+/// Least time of one call over batches of calls that all ranks begin together, the most of the ranks, s.
+/// @note Collective
 template <class Call>
 double least_time(const parallel::Communicator& comm, Call call) {
     constexpr int batches = 200, calls = 20;
@@ -151,7 +158,8 @@ double exchange_time(const parallel::Communicator& comm, std::int32_t nodes) {
 void time_messages(const parallel::Communicator& comm, Machine& machine) {
     constexpr std::int32_t many = 4000;  // about what a rank of some ten thousand elements exchanges
     machine.latency = exchange_time(comm, 1);
-    machine.bandwidth = many * sizeof(solver::FixedVector) / std::max(exchange_time(comm, many) - machine.latency, 1e-9);
+    machine.bandwidth =
+        many * sizeof(solver::FixedVector) / std::max(exchange_time(comm, many) - machine.latency, 1e-9);
     std::array<std::int64_t, 6> values{};
     machine.reduction = least_time(comm, [&] { comm.sum(values); }) / std::ceil(std::log2(comm.size()));
 }
@@ -166,7 +174,9 @@ std::string processor() {
 }  // namespace
 
 void require_calibration(const scene::Scene& scene, int ranks) {
-    if (ranks < 2) refuse("found 1 rank, allowed are 2 or more: mpirun -n N weavefront partition SCENE --calibrate FILE");
+    if (ranks < 2)
+        refuse(
+            "found 1 rank, allowed are 2 or more: mpirun -n N weavefront partition SCENE --calibrate FILE");
     if (!scene.projectile || !scene.contact.plies || scene.target->plies.size() < 2)
         refuse("allowed is a scene with a projectile and contact between plies");
 }
@@ -182,7 +192,8 @@ Machine calibrate(const scene::Scene& scene, const parallel::Communicator& comm,
     time_messages(comm, machine);
     const auto fault = parallel::failure_on_root(comm, [&] {
         machine.reference_time = alone.reference_time;
-        machine.crowding = std::max(1.0, slowest / together.reference_time / (alone.times.mean() / alone.reference_time));
+        machine.crowding =
+            std::max(1.0, slowest / together.reference_time / (alone.times.mean() / alone.reference_time));
         fit_steps(scene, alone.times, machine);
     });
     if (!fault.empty()) throw scene::InputError({fault});

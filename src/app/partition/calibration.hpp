@@ -12,7 +12,8 @@ namespace weavefront::app {
 /// @throws scene::InputError
 void require_calibration(const scene::Scene& scene, int ranks);
 
-/// Computes the scene to its end on one rank alone, then on every rank at once without communication, and times messages between ranks.
+/// Computes the scene to its end on one rank alone, then on every rank at once without communication, and
+/// times messages between ranks.
 /// @return complete on rank 0
 /// @throws scene::InputError when the run is too short to tell contact from the rest; solver::GuardStop
 /// @note Collective

@@ -9,7 +9,8 @@ namespace weavefront::app {
 
 namespace {
 
-/// The paper's fabric in a scene that is always the same: a thousand elements, which stay in the processor's own caches.
+/// The paper's fabric in a scene that is always the same: a thousand elements, which stay in the processor's
+/// own caches.
 constexpr auto scene_text = R"(
 title: reference step
 fabrics:
@@ -35,8 +36,8 @@ output: {interval: 0, history: 10 us}
 )";
 constexpr int runs = 10;
 
-/// Processor time of an element-step of that scene on the calling rank, s. Processors that share power or cores with others change their
-/// speed from minute to minute, and with it all of a step.
+/// Processor time of an element-step of that scene on the calling rank, s. Processors that share power or
+/// cores with others change their speed from minute to minute, and with it all of a step.
 double measured_reference_time() {
     static const auto scene = scene::parse_scene(scene_text, "reference step");
     const parallel::Communicator self(MPI_COMM_SELF);
@@ -50,11 +51,12 @@ double measured_reference_time() {
 
 }  // namespace
 
-RepeatedSteps repeat_steps(const scene::Scene& scene, const parallel::Communicator& comm, const parallel::Communicator& all,
-                           int repetitions) {
+RepeatedSteps repeat_steps(const scene::Scene& scene, const parallel::Communicator& comm,
+                           const parallel::Communicator& all, int repetitions) {
     RepeatedSteps repeated;
     for (int repetition = 0; repetition < repetitions; ++repetition) {
-        if (all.rank() == 0) repeated.reference_time = std::min(repeated.reference_time, measured_reference_time());
+        if (all.rank() == 0)
+            repeated.reference_time = std::min(repeated.reference_time, measured_reference_time());
         parallel::meet(all);
         auto times = time_steps(scene, comm);
         if (repetition == 0)

@@ -43,7 +43,8 @@ class CountingIterator {
 /// Keeps the members of the outermost object.
 class MemberBuilder : public nlohmann::json_sax<json> {
   public:
-    MemberBuilder(const std::string& text, const std::string& name, const std::size_t& read) : text_(text), name_(name), read_(read) {}
+    MemberBuilder(const std::string& text, const std::string& name, const std::size_t& read)
+        : text_(text), name_(name), read_(read) {}
 
     std::vector<JsonMember> members;
     bool is_object = false;
@@ -64,18 +65,23 @@ class MemberBuilder : public nlohmann::json_sax<json> {
     bool end_array() override { return close(); }
     bool key(string_t& value) override {
         // Read up to its closing quote.
-        if (depth_ == 1) members.push_back({value, where(read_ - std::min(read_, value.size() + 2)), nullptr});
+        if (depth_ == 1)
+            members.push_back({value, where(read_ - std::min(read_, value.size() + 2)), nullptr});
         return true;
     }
-    bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& error) override {
+    bool parse_error(std::size_t byte, const std::string&,
+                     const nlohmann::detail::exception& error) override {
         const std::string said = error.what();
         const auto words = said.find(": ");
-        throw scene::InputError({fmt::format("{}: not JSON: {}", where(byte == 0 ? 0 : byte - 1),
-                                             scene::printable(words == said.npos ? said : said.substr(words + 2), 200))});
+        throw scene::InputError(
+            {fmt::format("{}: not JSON: {}", where(byte == 0 ? 0 : byte - 1),
+                         scene::printable(words == said.npos ? said : said.substr(words + 2), 200))});
     }
 
   private:
-    [[nodiscard]] std::string where(std::size_t offset) const { return fmt::format("{}:{}", name_, scene::place_in(text_, offset)); }
+    [[nodiscard]] std::string where(std::size_t offset) const {
+        return fmt::format("{}:{}", name_, scene::place_in(text_, offset));
+    }
     bool keep(json value) {
         if (depth_ == 1 && !members.empty()) members.back().value = std::move(value);
         return true;
@@ -100,8 +106,10 @@ class MemberBuilder : public nlohmann::json_sax<json> {
 std::vector<JsonMember> parse_json_object(const std::string& text, const std::string& name) {
     std::size_t read = 0;
     MemberBuilder builder(text, name, read);
-    json::sax_parse(CountingIterator(text.data(), read), CountingIterator(text.data() + text.size(), read), &builder);
-    if (!builder.is_object) throw scene::InputError({fmt::format("{}:1:1: found no object, allowed a JSON object", name)});
+    json::sax_parse(CountingIterator(text.data(), read), CountingIterator(text.data() + text.size(), read),
+                    &builder);
+    if (!builder.is_object)
+        throw scene::InputError({fmt::format("{}:1:1: found no object, allowed a JSON object", name)});
     return std::move(builder.members);
 }
 

@@ -54,7 +54,8 @@ std::vector<std::string> keys() {
 /// Reads the members into a machine; notes what is wrong.
 class Reader {
   public:
-    Reader(const std::vector<JsonMember>& members, const std::string& name) : members_(members), name_(name) {}
+    Reader(const std::vector<JsonMember>& members, const std::string& name)
+        : members_(members), name_(name) {}
 
     Machine read() {
         check_keys();
@@ -68,14 +69,16 @@ class Reader {
         if (const auto* found = member("ranks")) {
             constexpr std::uint64_t most_ranks = 1'000'000;
             const auto count = found->value.is_number_unsigned() ? found->value.get<std::uint64_t>() : 0;
-            if (count < 1 || count > most_ranks) note(*found, fmt::format("a whole number from 1 to {}", most_ranks));
+            if (count < 1 || count > most_ranks)
+                note(*found, fmt::format("a whole number from 1 to {}", most_ranks));
             machine.ranks = static_cast<int>(std::min(count, most_ranks));
         }
         for (const auto& [key, value, unit, least] : constants) {
             const auto* found = member(key);
             if (found == nullptr) continue;
             const double number = found->value.is_number() ? found->value.get<double>() : -1;
-            if (!(number >= least && number <= most)) note(*found, fmt::format("a number of at least {} and at most {}", least, most));
+            if (!(number >= least && number <= most))
+                note(*found, fmt::format("a number of at least {} and at most {}", least, most));
             machine.*value = number * unit;
         }
         findings_.raise();
@@ -89,17 +92,19 @@ class Reader {
         for (const auto& [key, where, value] : members_) {
             const auto [first, is_new] = places.try_emplace(key, where);
             if (!is_new) {
-                findings_.add(
-                    fmt::format("{}: {}: found the key again, first at {}, allowed once", where, scene::printable(key), first->second));
+                findings_.add(fmt::format("{}: {}: found the key again, first at {}, allowed once", where,
+                                          scene::printable(key), first->second));
             } else if (std::ranges::find(known, key) == known.end()) {
                 const std::string hint = scene::nearest(key, known);
-                findings_.add(fmt::format("{}: {}: found an unknown key, allowed {}{}", where, scene::printable(key),
-                                          fmt::join(known, ", "), hint.empty() ? "" : fmt::format(", did you mean '{}'?", hint)));
+                findings_.add(fmt::format("{}: {}: found an unknown key, allowed {}{}", where,
+                                          scene::printable(key), fmt::join(known, ", "),
+                                          hint.empty() ? "" : fmt::format(", did you mean '{}'?", hint)));
             }
         }
         for (const auto& key : known)
             if (!places.contains(key))
-                findings_.add(fmt::format("{}:1:1: {}: found nothing, allowed are all of {}", name_, key, fmt::join(known, ", ")));
+                findings_.add(fmt::format("{}:1:1: {}: found nothing, allowed are all of {}", name_, key,
+                                          fmt::join(known, ", ")));
     }
 
     [[nodiscard]] const JsonMember* member(const std::string& key) const {
@@ -108,8 +113,8 @@ class Reader {
     }
 
     void note(const JsonMember& member, const std::string& allowed) {
-        findings_.add(
-            fmt::format("{}: {}: found {}, allowed {}", member.where, member.key, scene::printable(member.value.dump()), allowed));
+        findings_.add(fmt::format("{}: {}: found {}, allowed {}", member.where, member.key,
+                                  scene::printable(member.value.dump()), allowed));
     }
 
     const std::vector<JsonMember>& members_;
@@ -119,11 +124,15 @@ class Reader {
 
 }  // namespace
 
-Machine parse_machine(const std::string& text, const std::string& name) { return Reader(parse_json_object(text, name), name).read(); }
+Machine parse_machine(const std::string& text, const std::string& name) {
+    return Reader(parse_json_object(text, name), name).read();
+}
 
 std::string machine_text(const Machine& machine) {
-    std::string text = fmt::format("{{\n  \"machine\": {},\n  \"ranks\": {}", nlohmann::json(machine.name).dump(), machine.ranks);
-    for (const auto& [key, value, unit, least] : constants) text += fmt::format(",\n  \"{}\": {:.4g}", key, machine.*value / unit);
+    std::string text = fmt::format("{{\n  \"machine\": {},\n  \"ranks\": {}",
+                                   nlohmann::json(machine.name).dump(), machine.ranks);
+    for (const auto& [key, value, unit, least] : constants)
+        text += fmt::format(",\n  \"{}\": {:.4g}", key, machine.*value / unit);
     return text + "\n}\n";
 }
 

@@ -14,10 +14,11 @@ struct ScalingRow {
     partition::Forecast forecast;
     double efficiency = 1;           ///< against one rank alone with the scene as it stands
     std::optional<double> measured;  ///< time of a step, s
-    double slowdown = 1;             ///< time of a reference step while it was measured, over that of the calibration
+    double slowdown = 1;  ///< time of a reference step while it was measured, over that of the calibration
 };
 
-/// The scene for `ranks`. @param weak refines the mesh by sqrt(ranks / first), which keeps the elements per rank as they are
+/// The scene for `ranks`. @param weak refines the mesh by sqrt(ranks / first), which keeps the elements per
+/// rank as they are
 scene::Scene scaled_scene(const scene::Scene& scene, bool weak, int ranks, int first);
 
 /// One row a rank count, without measured times.

@@ -16,8 +16,8 @@ namespace weavefront::app {
 /// The first `count` ranks; none on the others. @note Collective
 std::optional<parallel::Communicator> first_ranks(const parallel::Communicator& comm, int count);
 
-/// Runs `action` on some of the ranks, the first among them, while the others sleep: MPI's own barrier would take processor time from those
-/// that compute.
+/// Runs `action` on some of the ranks, the first among them, while the others sleep: MPI's own barrier would
+/// take processor time from those that compute.
 /// @throws on all ranks what `action` throws on any: solver::GuardStop, or else std::runtime_error
 /// @note Collective
 template <class Action>

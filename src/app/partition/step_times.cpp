@@ -25,9 +25,11 @@ StepTime time_step(solver::Simulation& simulation, bool alone) {
     const double processor = processor_seconds();
     simulation.advance_forces();
     simulation.integrate();
-    const double used = processor_seconds() - processor, wall = std::chrono::duration<double>(Clock::now() - start).count();
+    const double used = processor_seconds() - processor,
+                 wall = std::chrono::duration<double>(Clock::now() - start).count();
     step.seconds = alone ? used : wall;
-    for (std::size_t p = 0; p < before.size(); ++p) step.phases[p] = (simulation.seconds()[p] - before[p]) * step.seconds / wall;
+    for (std::size_t p = 0; p < before.size(); ++p)
+        step.phases[p] = (simulation.seconds()[p] - before[p]) * step.seconds / wall;
     step.searched = simulation.counts().searches > searches;
     return step;
 }
@@ -53,7 +55,8 @@ void StepTimes::improve_by(const StepTimes& other) {
 
 StepTimes time_steps(const scene::Scene& scene, const parallel::Communicator& comm) {
     solver::Simulation simulation(scene, comm);
-    StepTimes times{.elements = static_cast<std::int64_t>(simulation.model().slots.size()), .nodes = simulation.model().nodes.count};
+    StepTimes times{.elements = static_cast<std::int64_t>(simulation.model().slots.size()),
+                    .nodes = simulation.model().nodes.count};
     while (simulation.time() < scene.time.end) times.steps.push_back(time_step(simulation, comm.size() == 1));
     return times;
 }

@@ -32,8 +32,8 @@ struct StepTimes {
     void improve_by(const StepTimes& other);
 };
 
-/// Computes an impact without its output. One rank alone, which never waits, is timed by the processor time that it gets, several by the
-/// clock on the wall.
+/// Computes an impact without its output. One rank alone, which never waits, is timed by the processor time
+/// that it gets, several by the clock on the wall.
 /// @param comm ranks that compute it
 /// @throws solver::GuardStop
 /// @note Collective

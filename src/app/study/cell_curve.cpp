@@ -30,7 +30,8 @@ std::vector<Deformation> refined(const std::vector<Deformation>& rows, std::int6
     std::vector<Deformation> steps{rows.front()};
     for (std::size_t i = 1; i < rows.size(); ++i)
         for (std::int64_t k = 1; k <= refinement; ++k)
-            steps.push_back(between(rows[i - 1], rows[i], static_cast<double>(k) / static_cast<double>(refinement)));
+            steps.push_back(
+                between(rows[i - 1], rows[i], static_cast<double>(k) / static_cast<double>(refinement)));
     return steps;
 }
 
@@ -44,19 +45,22 @@ void pass(const fabric::Constants& c, const std::vector<Deformation>& steps, dou
         const Kinematics k = kinematics(d);
         int evaluations = 0;
         const CountedSearch search{tolerance, &evaluations};
-        const auto response = fabric::advance<F>(c, step, state, k.lambda_f, k.lambda_w, k.cos_2theta, search);
+        const auto response =
+            fabric::advance<F>(c, step, state, k.lambda_f, k.lambda_w, k.cos_2theta, search);
         note(i, state, response, evaluations);
     }
 }
 
-/// The shortest of the passes that a fifth of a second has room for, at least two: what a pass takes when nothing disturbs it.
+/// The shortest of the passes that a fifth of a second has room for, at least two: what a pass takes when
+/// nothing disturbs it.
 template <fabric::Features F>
 double shortest_pass(const fabric::Constants& c, const std::vector<Deformation>& steps, double tolerance) {
     double shortest = std::numeric_limits<double>::max(), sum = 0;
     volatile double kept = 0;  // so that no pass is left out as useless
     for (int passes = 0; passes < 2 || sum < 0.2; ++passes) {
         const auto begin = std::chrono::steady_clock::now();
-        pass<F>(c, steps, tolerance, [&](std::size_t, const auto&, const auto& response, int) { kept = response.T_xx; });
+        pass<F>(c, steps, tolerance,
+                [&](std::size_t, const auto&, const auto& response, int) { kept = response.T_xx; });
         const double seconds = Seconds(std::chrono::steady_clock::now() - begin).count();
         shortest = std::min(shortest, seconds);
         sum += seconds;
@@ -65,19 +69,22 @@ double shortest_pass(const fabric::Constants& c, const std::vector<Deformation>&
 }
 
 template <fabric::Features F>
-TestCurve deform(const fabric::Constants& c, const std::vector<Deformation>& steps, const scene::CellTest& test) {
+TestCurve deform(const fabric::Constants& c, const std::vector<Deformation>& steps,
+                 const scene::CellTest& test) {
     TestCurve curve{CsvTable(cell_header), static_cast<std::int64_t>(steps.size()) - 1, 0};
     const fabric::State<double> start = fabric::initial_state<F, double>(c);
     curve.table.add(std::array{steps.front().time, start.h_f, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
     double evaluations = 0;
-    pass<F>(c, steps, test.crimp_tolerance, [&](std::size_t i, const auto& state, const auto& response, int evaluated) {
-        evaluations += evaluated;
-        if (i % static_cast<std::size_t>(test.refinement) != 0) return;
-        const fabric::YarnState<double> yarns = fabric::yarn_state<F>(c, state);
-        const double thickness = c.effective_thickness;
-        curve.table.add(std::array{steps[i].time, state.h_f, yarns.sigma_f, yarns.sigma_w, response.T_xx / thickness,
-                                   response.T_yy / thickness, response.T_xy / thickness, evaluations / static_cast<double>(i)});
-    });
+    pass<F>(c, steps, test.crimp_tolerance,
+            [&](std::size_t i, const auto& state, const auto& response, int evaluated) {
+                evaluations += evaluated;
+                if (i % static_cast<std::size_t>(test.refinement) != 0) return;
+                const fabric::YarnState<double> yarns = fabric::yarn_state<F>(c, state);
+                const double thickness = c.effective_thickness;
+                curve.table.add(std::array{steps[i].time, state.h_f, yarns.sigma_f, yarns.sigma_w,
+                                           response.T_xx / thickness, response.T_yy / thickness,
+                                           response.T_xy / thickness, evaluations / static_cast<double>(i)});
+            });
     curve.seconds = shortest_pass<F>(c, steps, test.crimp_tolerance);
     return curve;
 }
@@ -86,10 +93,12 @@ TestCurve deform(const fabric::Constants& c, const std::vector<Deformation>& ste
 
 TestCurve cell_curve(const scene::Case& variant) {
     const scene::Fabric& fabric = variant.scene.fabrics.front();
-    const std::vector<Deformation> steps = refined(read_deformation_path(variant.cell.path), variant.cell.refinement);
+    const std::vector<Deformation> steps =
+        refined(read_deformation_path(variant.cell.path), variant.cell.refinement);
     const fabric::Constants constants = fabric::constants_of(fabric);
-    return fabric::with_features(fabric::features_of(fabric),
-                                 [&]<fabric::Features F>() { return deform<F>(constants, steps, variant.cell); });
+    return fabric::with_features(fabric::features_of(fabric), [&]<fabric::Features F>() {
+        return deform<F>(constants, steps, variant.cell);
+    });
 }
 
 }  // namespace weavefront::app

@@ -24,8 +24,10 @@ class DeflectedPly {
             values_[{place(start[i][1]), place(start[i][0])}] = now[i][2] - start[i][2];
         }
         for (const auto& [at, value] : values_) {
-            if (at.first == values_.begin()->first.first) x_.push_back(static_cast<double>(at.second) * tolerance);
-            if (at.second == values_.begin()->first.second) y_.push_back(static_cast<double>(at.first) * tolerance);
+            if (at.first == values_.begin()->first.first)
+                x_.push_back(static_cast<double>(at.second) * tolerance);
+            if (at.second == values_.begin()->first.second)
+                y_.push_back(static_cast<double>(at.first) * tolerance);
         }
     }
 
@@ -35,7 +37,8 @@ class DeflectedPly {
     [[nodiscard]] double operator()(double x, double y) const {
         const auto [i, p] = interval(x_, x);
         const auto [j, q] = interval(y_, y);
-        return (1 - q) * ((1 - p) * node(i, j) + p * node(i + 1, j)) + q * ((1 - p) * node(i, j + 1) + p * node(i + 1, j + 1));
+        return (1 - q) * ((1 - p) * node(i, j) + p * node(i + 1, j)) +
+               q * ((1 - p) * node(i, j + 1) + p * node(i + 1, j + 1));
     }
 
   private:
@@ -50,17 +53,21 @@ class DeflectedPly {
 
     static std::pair<std::size_t, double> interval(const std::vector<double>& grid, double x) {
         const auto after = std::ranges::upper_bound(grid, x) - grid.begin();
-        const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(grid) - 1)) - 1;
+        const auto i =
+            static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(grid) - 1)) - 1;
         return {i, (x - grid[i]) / (grid[i + 1] - grid[i])};
     }
 
-    [[nodiscard]] double node(std::size_t i, std::size_t j) const { return values_.at({place(y_[j]), place(x_[i])}); }
+    [[nodiscard]] double node(std::size_t i, std::size_t j) const {
+        return values_.at({place(y_[j]), place(x_[i])});
+    }
 
     std::map<std::pair<std::int64_t, std::int64_t>, double> values_;  // by y, x
     std::vector<double> x_, y_;
 };
 
-/// The lines of both grids, and their middles: Simpson's rule is then exact for the square of what is bilinear between them.
+/// The lines of both grids, and their middles: Simpson's rule is then exact for the square of what is
+/// bilinear between them.
 std::vector<double> merged(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> both;
     std::ranges::merge(a, b, std::back_inserter(both));
@@ -87,7 +94,8 @@ std::vector<double> weights(const std::vector<double>& lines) {
 
 }  // namespace
 
-double field_distance(const std::filesystem::path& results, const std::filesystem::path& reference, double time) {
+double field_distance(const std::filesystem::path& results, const std::filesystem::path& reference,
+                      double time) {
     const DeflectedPly ply(results, time), exact(reference, time);
     const std::vector<double> x = merged(ply.x(), exact.x()), y = merged(ply.y(), exact.y());
     const std::vector<double> wx = weights(x), wy = weights(y);

@@ -18,7 +18,9 @@ namespace {
 using scene::Measure;
 using scene::Reference;
 
-std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
+std::optional<double> finite(double value) {
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
 
 std::optional<double> relative(std::optional<double> value, std::optional<double> reference) {
     if (!value || !reference) return std::nullopt;
@@ -29,7 +31,8 @@ std::optional<double> relative(std::optional<double> value, std::optional<double
 /// What the closed form says of a variant.
 class ClosedForm {
   public:
-    ClosedForm(const std::string& name, const scene::Case& variant) : smith_(name == "smith"), variant_(variant) {}
+    ClosedForm(const std::string& name, const scene::Case& variant)
+        : smith_(name == "smith"), variant_(variant) {}
 
     [[nodiscard]] std::optional<double> outcome(const std::string& name) const {
         if (!smith_ || !variant_.scene.projectile) return std::nullopt;
@@ -40,13 +43,14 @@ class ClosedForm {
         return name == "strip_longitudinal_speed" ? std::optional(speed) : std::nullopt;
     }
 
-    [[nodiscard]] std::optional<study::Curve> history(const std::string& column, const study::Curve& computed) const {
+    [[nodiscard]] std::optional<study::Curve> history(const std::string& column,
+                                                      const study::Curve& computed) const {
         if (smith_ || column != "stress") return std::nullopt;
         const fabric::Constants c = fabric::constants_of(variant_.scene.fabrics.front());
         study::Curve curve{computed.time, {}};
         for (const double time : computed.time)
-            curve.value.push_back(
-                study::constant_rate_stress(c.static_modulus, c.hooke_modulus, c.relaxation_time, variant_.yarn.rate, time));
+            curve.value.push_back(study::constant_rate_stress(c.static_modulus, c.hooke_modulus,
+                                                              c.relaxation_time, variant_.yarn.rate, time));
         return curve;
     }
 
@@ -57,10 +61,11 @@ class ClosedForm {
 
 class Measurement {
   public:
-    Measurement(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
-                const study::Columns& measured)
+    Measurement(const scene::Study& study, std::span<const StudyEntry> entries,
+                const std::filesystem::path& folder, const study::Columns& measured)
         : study_(study), entries_(entries), folder_(folder), measured_(measured) {
-        for (const StudyEntry& entry : entries) results_.emplace_back(entry.input, folder / entry.variant.name);
+        for (const StudyEntry& entry : entries)
+            results_.emplace_back(entry.input, folder / entry.variant.name);
     }
 
     [[nodiscard]] std::vector<StudyRow> rows() const {
@@ -77,10 +82,11 @@ class Measurement {
         row.reason = summary.at("reason");
         row.element_steps = summary.at("element_steps");
         row.ranks = summary.at("ranks");
-        row.wall_seconds =
-            summary.at("nanoseconds_per_element_step").get<double>() * 1e-9 * static_cast<double>(row.element_steps) / row.ranks;
+        row.wall_seconds = summary.at("nanoseconds_per_element_step").get<double>() * 1e-9 *
+                           static_cast<double>(row.element_steps) / row.ranks;
         for (const Measure& measure : study_.quantities) {
-            row.values.push_back(measure.kind == Measure::Kind::outcome ? results_[i].outcome(measure.of) : std::nullopt);
+            row.values.push_back(measure.kind == Measure::Kind::outcome ? results_[i].outcome(measure.of)
+                                                                        : std::nullopt);
             row.errors.push_back(error(i, measure, row.values.back()));
             row.history.push_back(range(i, measure));
         }
@@ -95,7 +101,8 @@ class Measurement {
         return ValueRange{least, most};
     }
 
-    [[nodiscard]] std::optional<double> error(std::size_t i, const Measure& measure, std::optional<double> value) const {
+    [[nodiscard]] std::optional<double> error(std::size_t i, const Measure& measure,
+                                              std::optional<double> value) const {
         if (measure.of == "evaluations") return std::nullopt;  // a cost
         switch (study_.reference.kind) {
             case Reference::Kind::variant:
@@ -110,14 +117,18 @@ class Measurement {
         return std::nullopt;
     }
 
-    [[nodiscard]] std::optional<double> from_variant(std::size_t i, const Measure& measure, std::optional<double> value) const {
+    [[nodiscard]] std::optional<double> from_variant(std::size_t i, const Measure& measure,
+                                                     std::optional<double> value) const {
         const std::size_t r = entries_[i].reference;
         if (measure.kind == Measure::Kind::outcome) return relative(value, results_[r].outcome(measure.of));
-        if (measure.kind == Measure::Kind::field) return finite(field_distance(results_file(i), results_file(r), measure.time));
-        return finite(study::distance(results_[i].history(measure.of), results_[r].history(measure.of), measure.norm));
+        if (measure.kind == Measure::Kind::field)
+            return finite(field_distance(results_file(i), results_file(r), measure.time));
+        return finite(
+            study::distance(results_[i].history(measure.of), results_[r].history(measure.of), measure.norm));
     }
 
-    [[nodiscard]] std::optional<double> from_closed_form(std::size_t i, const Measure& measure, std::optional<double> value) const {
+    [[nodiscard]] std::optional<double> from_closed_form(std::size_t i, const Measure& measure,
+                                                         std::optional<double> value) const {
         const ClosedForm form(study_.reference.closed_form, entries_[i].input);
         if (measure.kind == Measure::Kind::outcome) return relative(value, form.outcome(measure.of));
         if (measure.kind == Measure::Kind::field) return std::nullopt;
@@ -126,10 +137,13 @@ class Measurement {
         return exact ? finite(study::distance(computed, *exact, measure.norm)) : std::nullopt;
     }
 
-    /// A measured table has `time` and columns as the history, and outcomes in the first row of columns of their names.
-    [[nodiscard]] std::optional<double> from_file(std::size_t i, const Measure& measure, std::optional<double> value) const {
+    /// A measured table has `time` and columns as the history, and outcomes in the first row of columns of
+    /// their names.
+    [[nodiscard]] std::optional<double> from_file(std::size_t i, const Measure& measure,
+                                                  std::optional<double> value) const {
         const auto column = measured_.find(measure.of);
-        if (column == measured_.end() || column->second.empty() || measure.kind == Measure::Kind::field) return std::nullopt;
+        if (column == measured_.end() || column->second.empty() || measure.kind == Measure::Kind::field)
+            return std::nullopt;
         if (measure.kind == Measure::Kind::outcome) return relative(value, finite(column->second.front()));
         const auto time = measured_.find("time");
         if (time == measured_.end()) return std::nullopt;
@@ -142,7 +156,9 @@ class Measurement {
         return finite(study::distance(results_[i].history(measure.of), curve, measure.norm));
     }
 
-    [[nodiscard]] std::filesystem::path results_file(std::size_t i) const { return folder_ / entries_[i].variant.name / "results.vtkhdf"; }
+    [[nodiscard]] std::filesystem::path results_file(std::size_t i) const {
+        return folder_ / entries_[i].variant.name / "results.vtkhdf";
+    }
 
     const scene::Study& study_;
     std::span<const StudyEntry> entries_;
@@ -153,8 +169,8 @@ class Measurement {
 
 }  // namespace
 
-std::vector<StudyRow> measure_study(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
-                                    const study::Columns& measured) {
+std::vector<StudyRow> measure_study(const scene::Study& study, std::span<const StudyEntry> entries,
+                                    const std::filesystem::path& folder, const study::Columns& measured) {
     return Measurement(study, entries, folder, measured).rows();
 }
 

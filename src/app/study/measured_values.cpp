@@ -58,7 +58,8 @@ std::string_view unit_of(std::string_view name) {
                                Unit{"stress", "Pa"},
                                Unit{"h_fill", "m"},
                                Unit{"evaluations", "1"}};
-    const auto known = std::ranges::find_if(units, [&](const Unit& unit) { return name.starts_with(unit.first); });
+    const auto known =
+        std::ranges::find_if(units, [&](const Unit& unit) { return name.starts_with(unit.first); });
     return known == units.end() ? "SI" : known->second;
 }
 
@@ -103,8 +104,12 @@ bool is_compared(const Measure& measure, const study::Columns& columns, Measure:
 class Reader {
   public:
     Reader(const scene::Study& study, std::span<const StudyEntry> entries, const std::string& text)
-        : study_(study), entries_(entries), name_(study.reference.file.string()), columns_(study::parse_columns(text, name_)) {
-        for (const auto& cell : study::cells_of(std::string_view(text).substr(0, text.find('\n')))) header_.push_back(cell);
+        : study_(study),
+          entries_(entries),
+          name_(study.reference.file.string()),
+          columns_(study::parse_columns(text, name_)) {
+        for (const auto& cell : study::cells_of(std::string_view(text).substr(0, text.find('\n'))))
+            header_.push_back(cell);
     }
 
     study::Columns read() {
@@ -126,7 +131,8 @@ class Reader {
   private:
     void report(const std::string& column, const std::string& what) {
         const auto cell = std::ranges::find(header_, column, &study::Cell::text);
-        findings_.add(fmt::format("{}:1:{}: {}: {}", name_, cell == header_.end() ? 1 : cell->column, column, what));
+        findings_.add(
+            fmt::format("{}:1:{}: {}: {}", name_, cell == header_.end() ? 1 : cell->column, column, what));
     }
 
     void refuse_unknown() {
@@ -136,9 +142,10 @@ class Reader {
         for (const auto& [column, place] : header_) {
             if (std::ranges::find(allowed, column) != allowed.end()) continue;
             const std::string hint = scene::nearest(column, allowed);
-            findings_.add(fmt::format("{}:1:{}: found column '{}', allowed is what the study compares, over time: {}{}", name_, place,
-                                      scene::printable(column), fmt::join(allowed, ", "),
-                                      hint.empty() ? "" : fmt::format(", did you mean '{}'?", hint)));
+            findings_.add(
+                fmt::format("{}:1:{}: found column '{}', allowed is what the study compares, over time: {}{}",
+                            name_, place, scene::printable(column), fmt::join(allowed, ", "),
+                            hint.empty() ? "" : fmt::format(", did you mean '{}'?", hint)));
         }
     }
 
@@ -146,23 +153,28 @@ class Reader {
         if (times_checked_) return;
         times_checked_ = true;
         const auto time = columns_.find("time");
-        const bool ascends = time != columns_.end() && std::ranges::none_of(time->second, [](double t) { return std::isnan(t); }) &&
+        const bool ascends = time != columns_.end() &&
+                             std::ranges::none_of(time->second, [](double t) { return std::isnan(t); }) &&
                              std::ranges::is_sorted(time->second, std::less_equal<>());
-        if (!ascends) report("time", "a history is compared with it, which takes a column 'time' that ascends, s");
+        if (!ascends)
+            report("time", "a history is compared with it, which takes a column 'time' that ascends, s");
     }
 
     void check_overlap(const std::string& column) {
         const auto curve = curve_of(columns_, column);
         if (curve.time.size() < 2)
-            return report(column,
-                          fmt::format("found {} value{}, allowed are two or more", curve.time.size(), curve.time.empty() ? "s" : ""));
+            return report(column, fmt::format("found {} value{}, allowed are two or more", curve.time.size(),
+                                              curve.time.empty() ? "s" : ""));
         for (const StudyEntry& entry : entries_) {
             const auto [begin, end] = time_of(study_, entry.input);
             const auto shared = values_between(curve, begin, end);
             if (shared >= 2) continue;
-            return report(column, fmt::format("found values at {}, of which {} at the times of {}, {}; allowed are two or more of them",
-                                              range_text({curve.time.front(), curve.time.back()}, "s"), shared, entry.variant.name,
-                                              range_text({begin, end}, "s")));
+            return report(
+                column,
+                fmt::format(
+                    "found values at {}, of which {} at the times of {}, {}; allowed are two or more of them",
+                    range_text({curve.time.front(), curve.time.back()}, "s"), shared, entry.variant.name,
+                    range_text({begin, end}, "s")));
         }
     }
 
@@ -177,47 +189,60 @@ class Reader {
 
 }  // namespace
 
-study::Columns read_measured(const scene::Study& study, std::span<const StudyEntry> entries, const std::string& text) {
+study::Columns read_measured(const scene::Study& study, std::span<const StudyEntry> entries,
+                             const std::string& text) {
     return Reader(study, entries, text).read();
 }
 
-void report_measured(const scene::Study& study, std::span<const StudyEntry> entries, const study::Columns& columns, io::Log& log) {
+void report_measured(const scene::Study& study, std::span<const StudyEntry> entries,
+                     const study::Columns& columns, io::Log& log) {
     if (columns.empty()) return;
     const auto [begin, end] = time_of(study, entries.front().input);
     for (const Measure& measure : study.quantities) {
         if (is_compared(measure, columns, Measure::Kind::outcome))
-            log.info(fmt::format("  measured      {}: {:.6g} {}", measure.of, columns.at(measure.of).front(), unit_of(measure.of)));
+            log.info(fmt::format("  measured      {}: {:.6g} {}", measure.of, columns.at(measure.of).front(),
+                                 unit_of(measure.of)));
         if (!is_compared(measure, columns, Measure::Kind::history)) continue;
         const auto curve = curve_of(columns, measure.of);
-        log.info(fmt::format("  measured      {}: {} values of {} at {}; {} of them at the times of {}, {}", measure.of, curve.time.size(),
-                             range_text(range_of(curve.value), unit_of(measure.of)), range_text(range_of(curve.time), "s"),
-                             values_between(curve, begin, end), entries.front().variant.name, range_text({begin, end}, "s")));
+        log.info(fmt::format("  measured      {}: {} values of {} at {}; {} of them at the times of {}, {}",
+                             measure.of, curve.time.size(),
+                             range_text(range_of(curve.value), unit_of(measure.of)),
+                             range_text(range_of(curve.time), "s"), values_between(curve, begin, end),
+                             entries.front().variant.name, range_text({begin, end}, "s")));
         if ((curve.time.back() - curve.time.front()) > most_apart * (end - begin))
-            log.warn(fmt::format("{} was measured over {:.3g} times the time of the run: another unit than s?", measure.of,
-                                 (curve.time.back() - curve.time.front()) / (end - begin)));
+            log.warn(
+                fmt::format("{} was measured over {:.3g} times the time of the run: another unit than s?",
+                            measure.of, (curve.time.back() - curve.time.front()) / (end - begin)));
     }
 }
 
-void report_compared(const scene::Study& study, std::span<const StudyRow> rows, const study::Columns& columns, io::Log& log) {
+void report_compared(const scene::Study& study, std::span<const StudyRow> rows, const study::Columns& columns,
+                     io::Log& log) {
     for (std::size_t q = 0; q < study.quantities.size(); ++q) {
         const Measure& measure = study.quantities[q];
         if (!columns.contains(measure.of) || measure.kind == Measure::Kind::field) continue;
         std::vector<double> computed;
         for (const StudyRow& row : rows) {
-            if (row.history[q]) computed.insert(computed.end(), {row.history[q]->least, row.history[q]->most});
+            if (row.history[q])
+                computed.insert(computed.end(), {row.history[q]->least, row.history[q]->most});
             if (row.values[q]) computed.push_back(*row.values[q]);
         }
         if (computed.empty()) continue;
         const bool outcome = measure.kind == Measure::Kind::outcome;
         const auto here = range_of(computed);
-        const auto there = outcome ? ValueRange{columns.at(measure.of).front(), columns.at(measure.of).front()}
-                                   : range_of(curve_of(columns, measure.of).value);
-        log.info(fmt::format("  compared      {}: measured {}, computed {}", measure.of, range_text(there, unit_of(measure.of)),
-                             range_text(here, unit_of(measure.of))));
-        const auto size = [](const ValueRange& range) { return std::max(std::abs(range.least), std::abs(range.most)); };
-        if (size(here) > 0 && size(there) > 0 && std::max(size(here) / size(there), size(there) / size(here)) > most_apart)
-            log.warn(fmt::format("measured values of {} are {:.3g} times the computed ones: another unit than {}?", measure.of,
-                                 size(there) / size(here), unit_of(measure.of)));
+        const auto there = outcome
+                               ? ValueRange{columns.at(measure.of).front(), columns.at(measure.of).front()}
+                               : range_of(curve_of(columns, measure.of).value);
+        log.info(fmt::format("  compared      {}: measured {}, computed {}", measure.of,
+                             range_text(there, unit_of(measure.of)), range_text(here, unit_of(measure.of))));
+        const auto size = [](const ValueRange& range) {
+            return std::max(std::abs(range.least), std::abs(range.most));
+        };
+        if (size(here) > 0 && size(there) > 0 &&
+            std::max(size(here) / size(there), size(there) / size(here)) > most_apart)
+            log.warn(
+                fmt::format("measured values of {} are {:.3g} times the computed ones: another unit than {}?",
+                            measure.of, size(there) / size(here), unit_of(measure.of)));
     }
 }
 

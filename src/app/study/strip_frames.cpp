@@ -16,7 +16,8 @@ struct Columns {
     std::map<std::int64_t, std::size_t> index;  // place of the column to its number
     std::vector<std::int64_t> of_element;
 
-    Columns(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<std::int64_t, 4>>& quads) {
+    Columns(const std::vector<std::array<double, 3>>& points,
+            const std::vector<std::array<std::int64_t, 4>>& quads) {
         for (const auto& quad : quads) {
             double x = 0;
             for (const std::int64_t node : quad) x += points[static_cast<std::size_t>(node)][0] / 4;

@@ -14,17 +14,19 @@
 namespace weavefront::app {
 
 /// Reads the study.csv of before.
-/// @throws on all ranks std::runtime_error when it cannot be read or is no table; scene::InputError naming everything that it lacks of
+/// @throws on all ranks std::runtime_error when it cannot be read or is no table; scene::InputError naming
+/// everything that it lacks of
 ///         what is compared (columns, variants), and every cell that holds no number
 /// @note Collective
-study::TextTable table_of_before(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& path,
-                                 const parallel::Communicator& comm);
+study::TextTable table_of_before(const scene::Study& study, std::span<const StudyEntry> entries,
+                                 const std::filesystem::path& path, const parallel::Communicator& comm);
 
 /// Compares a study.csv with that of before, row by row of its variants.
 /// @param before as of `table_of_before`
 /// @param name of its file, for messages
-/// @throws GuardStop naming every quantity that is off by more than its tolerance and every outcome that differs
-void check_against_table(const scene::Study& study, const std::filesystem::path& table, const study::TextTable& before,
-                         const std::filesystem::path& name, io::Log& log);
+/// @throws GuardStop naming every quantity that is off by more than its tolerance and every outcome that
+/// differs
+void check_against_table(const scene::Study& study, const std::filesystem::path& table,
+                         const study::TextTable& before, const std::filesystem::path& name, io::Log& log);
 
 }  // namespace weavefront::app

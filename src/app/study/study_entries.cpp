@@ -17,9 +17,11 @@ std::vector<StudyEntry> study_entries(const scene::Study& study, const std::stri
     if (!compared) return entries;
     for (std::size_t i = 0; i < variants.size(); ++i) {
         const scene::Case& wanted = cases[variants.size() + i];
-        const auto found = std::ranges::find_if(entries, [&](const StudyEntry& entry) { return entry.input.hash == wanted.hash; });
+        const auto found = std::ranges::find_if(
+            entries, [&](const StudyEntry& entry) { return entry.input.hash == wanted.hash; });
         entries[i].reference = static_cast<std::size_t>(found - entries.begin());
-        if (found == entries.end()) entries.push_back({all[variants.size() + i], wanted, true, entries.size()});
+        if (found == entries.end())
+            entries.push_back({all[variants.size() + i], wanted, true, entries.size()});
     }
     return entries;
 }

@@ -16,7 +16,8 @@ struct StudyEntry {
     scene::Variant variant;
     scene::Case input;
     bool reference_only = false;
-    std::size_t reference = 0;  ///< index of the entry that it is compared with; itself where that is not a variant
+    std::size_t reference =
+        0;  ///< index of the entry that it is compared with; itself where that is not a variant
 };
 
 /// Variants in the order of their product, then the references that they need, each once.

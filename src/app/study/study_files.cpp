@@ -27,7 +27,8 @@ std::string quoted(const std::string& text) {
     return fmt::format("\"{}\"", doubled);
 }
 
-std::string csv_of(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows) {
+std::string csv_of(const scene::Study& study, std::span<const StudyEntry> entries,
+                   std::span<const StudyRow> rows) {
     std::string text = "variant";
     for (const scene::Axis& axis : study.axes) text += fmt::format(",{}", quoted(axis.name));
     text += ",outcome";
@@ -41,7 +42,8 @@ std::string csv_of(const scene::Study& study, std::span<const StudyEntry> entrie
         for (const std::string& label : entries[i].variant.labels) text += fmt::format(",{}", quoted(label));
         text += fmt::format(",{}", rows[i].outcome);
         for (std::size_t q = 0; q < study.quantities.size(); ++q) {
-            if (study.quantities[q].kind == scene::Measure::Kind::outcome) text += fmt::format(",{}", cell(rows[i].values[q]));
+            if (study.quantities[q].kind == scene::Measure::Kind::outcome)
+                text += fmt::format(",{}", cell(rows[i].values[q]));
             text += fmt::format(",{}", cell(rows[i].errors[q]));
         }
         text += fmt::format(",{:.4g},{},{}\n", rows[i].wall_seconds, rows[i].element_steps, rows[i].ranks);
@@ -59,7 +61,8 @@ std::vector<Series> series_of(const scene::Study& study, std::span<const StudyEn
     std::vector<Series> all;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (entries[i].reference_only) continue;
-        std::vector<std::string> shared = study.order ? entries[i].variant.labels : std::vector<std::string>{};
+        std::vector<std::string> shared =
+            study.order ? entries[i].variant.labels : std::vector<std::string>{};
         if (study.order) shared.erase(shared.begin() + static_cast<std::ptrdiff_t>(*study.order));
         auto series = std::ranges::find(all, shared, &Series::labels);
         if (series == all.end()) series = all.insert(all.end(), {shared, {}});
@@ -68,35 +71,41 @@ std::vector<Series> series_of(const scene::Study& study, std::span<const StudyEn
     return all;
 }
 
-Json orders_of(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows, std::size_t quantity) {
+Json orders_of(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows,
+               std::size_t quantity) {
     Json all = Json::array();
     for (const auto& [labels, members] : series_of(study, entries)) {
-        Json found = {{"labels", labels}, {"variants", Json::array()}, {"order", nullptr}, {"local_orders", Json::array()}};
+        Json found = {{"labels", labels},
+                      {"variants", Json::array()},
+                      {"order", nullptr},
+                      {"local_orders", Json::array()}};
         std::vector<study::Point> points;
         for (const std::size_t i : members) {
             found["variants"].push_back(entries[i].variant.name);
             if (!study.order || rows[i].outcome != "finished" || !rows[i].errors[quantity]) continue;
-            points.push_back(
-                {*entries[i].variant.values[*study.order], static_cast<double>(rows[i].element_steps), *rows[i].errors[quantity]});
+            points.push_back({*entries[i].variant.values[*study.order],
+                              static_cast<double>(rows[i].element_steps), *rows[i].errors[quantity]});
         }
         if (points.size() > 1) {
             found["order"] = json_of(study::observed_order(points));
-            for (const auto& order : study::local_orders(points)) found["local_orders"].push_back(json_of(order));
+            for (const auto& order : study::local_orders(points))
+                found["local_orders"].push_back(json_of(order));
         }
         all.push_back(found);
     }
     return all;
 }
 
-/// One truth a row: whether it is on the front of this quantity's error among the variants with the same reference. A stopped one never is.
-std::vector<bool> front_of(std::span<const StudyEntry> entries, std::span<const StudyRow> rows, std::size_t quantity,
-                           const std::vector<double>& costs, bool one_reference) {
+/// One truth a row: whether it is on the front of this quantity's error among the variants with the same
+/// reference. A stopped one never is.
+std::vector<bool> front_of(std::span<const StudyEntry> entries, std::span<const StudyRow> rows,
+                           std::size_t quantity, const std::vector<double>& costs, bool one_reference) {
     std::vector<bool> front(rows.size(), false);
     for (std::size_t r = 0; r < rows.size(); ++r) {
         std::vector<double> errors;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            const bool counts = rows[i].outcome == "finished" && !entries[i].reference_only && rows[i].errors[quantity] &&
-                                (one_reference || entries[i].reference == r);
+            const bool counts = rows[i].outcome == "finished" && !entries[i].reference_only &&
+                                rows[i].errors[quantity] && (one_reference || entries[i].reference == r);
             errors.push_back(counts ? *rows[i].errors[quantity] : std::numeric_limits<double>::infinity());
         }
         const std::vector<bool> part = study::pareto_front(costs, errors);
@@ -106,16 +115,21 @@ std::vector<bool> front_of(std::span<const StudyEntry> entries, std::span<const 
     return front;
 }
 
-Json fronts_of(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows, std::size_t quantity) {
+Json fronts_of(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows,
+               std::size_t quantity) {
     std::vector<double> seconds, steps, evaluations;
-    const auto counted = std::ranges::find(study.quantities, "evaluations", &scene::Measure::name) - study.quantities.begin();
+    const auto counted =
+        std::ranges::find(study.quantities, "evaluations", &scene::Measure::name) - study.quantities.begin();
     for (const StudyRow& row : rows) {
         seconds.push_back(row.wall_seconds * row.ranks);
         steps.push_back(static_cast<double>(row.element_steps));
-        if (counted < std::ssize(row.values)) evaluations.push_back(row.values[static_cast<std::size_t>(counted)].value_or(0));
+        if (counted < std::ssize(row.values))
+            evaluations.push_back(row.values[static_cast<std::size_t>(counted)].value_or(0));
     }
     const bool one_reference = study.reference.kind != scene::Reference::Kind::variant;
-    const auto front = [&](const std::vector<double>& costs) { return front_of(entries, rows, quantity, costs, one_reference); };
+    const auto front = [&](const std::vector<double>& costs) {
+        return front_of(entries, rows, quantity, costs, one_reference);
+    };
     Json fronts = {{"core_seconds", front(seconds)}, {"element_steps", front(steps)}};
     if (!evaluations.empty()) fronts["evaluations"] = front(evaluations);
     return fronts;
@@ -125,7 +139,8 @@ Json axes_of(const scene::Study& study) {
     Json axes = Json::array();
     for (const scene::Axis& axis : study.axes) {
         Json choices = Json::array();
-        for (const scene::Choice& choice : axis.choices) choices.push_back({{"label", choice.label}, {"value", json_of(choice.value)}});
+        for (const scene::Choice& choice : axis.choices)
+            choices.push_back({{"label", choice.label}, {"value", json_of(choice.value)}});
         axes.push_back({{"name", axis.name}, {"choices", choices}});
     }
     return axes;
@@ -137,21 +152,23 @@ Json rows_of(const scene::Study& study, std::span<const StudyEntry> entries, std
     for (std::size_t i = 0; i < rows.size(); ++i) {
         Json values = Json::object(), errors = Json::object();
         for (std::size_t q = 0; q < study.quantities.size(); ++q) {
-            if (study.quantities[q].kind == scene::Measure::Kind::outcome) values[study.quantities[q].name] = json_of(rows[i].values[q]);
+            if (study.quantities[q].kind == scene::Measure::Kind::outcome)
+                values[study.quantities[q].name] = json_of(rows[i].values[q]);
             errors[study.quantities[q].name] = json_of(rows[i].errors[q]);
         }
-        all.push_back({{"variant", entries[i].variant.name},
-                       {"labels", entries[i].variant.labels},
-                       {"reference_only", entries[i].reference_only},
-                       {"compared_with", compared ? Json(entries[entries[i].reference].variant.name) : Json()},
-                       {"hash", entries[i].input.hash},
-                       {"outcome", rows[i].outcome},
-                       {"reason", rows[i].reason},
-                       {"values", values},
-                       {"errors", errors},
-                       {"wall_seconds", rows[i].wall_seconds},
-                       {"element_steps", rows[i].element_steps},
-                       {"ranks", rows[i].ranks}});
+        all.push_back(
+            {{"variant", entries[i].variant.name},
+             {"labels", entries[i].variant.labels},
+             {"reference_only", entries[i].reference_only},
+             {"compared_with", compared ? Json(entries[entries[i].reference].variant.name) : Json()},
+             {"hash", entries[i].input.hash},
+             {"outcome", rows[i].outcome},
+             {"reason", rows[i].reason},
+             {"values", values},
+             {"errors", errors},
+             {"wall_seconds", rows[i].wall_seconds},
+             {"element_steps", rows[i].element_steps},
+             {"ranks", rows[i].ranks}});
     }
     return all;
 }
@@ -174,10 +191,12 @@ Json json_of(const scene::Study& study, std::span<const StudyEntry> entries, std
 
 }  // namespace
 
-void write_study_files(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows,
-                       const std::filesystem::path& folder) {
+void write_study_files(const scene::Study& study, std::span<const StudyEntry> entries,
+                       std::span<const StudyRow> rows, const std::filesystem::path& folder) {
     io::replace_file(folder / "study.csv", csv_of(study, entries, rows));
-    io::replace_file(folder / "study.json", json_of(study, entries, rows).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    io::replace_file(
+        folder / "study.json",
+        json_of(study, entries, rows).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace weavefront::app

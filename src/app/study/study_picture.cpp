@@ -18,7 +18,8 @@ std::filesystem::path plot_program() {
     std::error_code failure;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
     if (failure) return {};
-    for (const auto& candidate : {program.parent_path() / "weavefront-plot", program.parent_path() / "../../bin/weavefront-plot"})
+    for (const auto& candidate :
+         {program.parent_path() / "weavefront-plot", program.parent_path() / "../../bin/weavefront-plot"})
         if (std::filesystem::is_regular_file(candidate, failure)) return candidate.lexically_normal();
     return {};
 }
@@ -32,9 +33,11 @@ void draw_study(const std::filesystem::path& folder) {
     pid_t child = 0;
     int status = -1;
     std::fflush(stdout);
-    const bool ran = !program.empty() && posix_spawn(&child, name.c_str(), nullptr, nullptr, arguments, environ) == 0;
+    const bool ran =
+        !program.empty() && posix_spawn(&child, name.c_str(), nullptr, nullptr, arguments, environ) == 0;
     if (ran) waitpid(child, &status, 0);
-    if (status != 0) fmt::print("No picture was drawn; draw it with: weavefront-plot --study {}\n", folder.string());
+    if (status != 0)
+        fmt::print("No picture was drawn; draw it with: weavefront-plot --study {}\n", folder.string());
 }
 
 }  // namespace weavefront::app

@@ -6,7 +6,8 @@
 
 namespace weavefront::app {
 
-void report_study(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows, io::Log& log) {
+void report_study(const scene::Study& study, std::span<const StudyEntry> entries,
+                  std::span<const StudyRow> rows, io::Log& log) {
     std::size_t width = 8;
     for (const StudyEntry& entry : entries) width = std::max(width, entry.variant.name.size());
     std::string header = fmt::format("{:<{}}  {:<8}", "variant", width, "outcome");

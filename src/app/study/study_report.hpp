@@ -11,6 +11,7 @@
 namespace weavefront::app {
 
 /// The table of errors and the orders of convergence.
-void report_study(const scene::Study& study, std::span<const StudyEntry> entries, std::span<const StudyRow> rows, io::Log& log);
+void report_study(const scene::Study& study, std::span<const StudyEntry> entries,
+                  std::span<const StudyRow> rows, io::Log& log);
 
 }  // namespace weavefront::app

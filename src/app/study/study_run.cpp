@@ -22,7 +22,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// The ranks of one colour. @note Collective
 parallel::Communicator split(const parallel::Communicator& comm, int colour) {
@@ -35,15 +37,16 @@ parallel::Communicator split(const parallel::Communicator& comm, int colour) {
 
 class StudyRun {
   public:
-    StudyRun(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
-             const parallel::Communicator& comm, io::Log& log)
+    StudyRun(const scene::Study& study, std::span<const StudyEntry> entries,
+             const std::filesystem::path& folder, const parallel::Communicator& comm, io::Log& log)
         : study_(study), entries_(entries), folder_(folder), comm_(comm), log_(log), work_queue_(comm) {}
 
     void run() {
         choose_pending();
         const study::RankPlan plan = study::plan_ranks(jobs_, comm_.size());
         say(plan);
-        for (std::size_t i = 0; i < plan.together && !comm_.any(noted_signal() != 0); ++i) compute_together(plan.order[i]);
+        for (std::size_t i = 0; i < plan.together && !comm_.any(noted_signal() != 0); ++i)
+            compute_together(plan.order[i]);
         compute_side_by_side(plan);
         raise_failure();
     }
@@ -53,7 +56,8 @@ class StudyRun {
         std::vector<std::int32_t> pending;
         parallel::on_root(comm_, [&] {
             for (std::size_t i = 0; i < entries_.size(); ++i)
-                if (!is_computed(study_.compute, entries_[i].input, folder_of(i))) pending.push_back(static_cast<std::int32_t>(i));
+                if (!is_computed(study_.compute, entries_[i].input, folder_of(i)))
+                    pending.push_back(static_cast<std::int32_t>(i));
         });
         comm_.broadcast(pending);
         for (const std::int32_t i : pending) {
@@ -63,18 +67,22 @@ class StudyRun {
         }
     }
 
-    [[nodiscard]] std::filesystem::path folder_of(std::size_t entry) const { return folder_ / entries_[entry].variant.name; }
+    [[nodiscard]] std::filesystem::path folder_of(std::size_t entry) const {
+        return folder_ / entries_[entry].variant.name;
+    }
 
     void say(const study::RankPlan& plan) {
         const std::size_t before = entries_.size() - pending_.size();
         log_.info(fmt::format("  variants      {}, of them {} computed before", entries_.size(), before));
         if (pending_.empty()) return;
         std::string text;
-        if (plan.together > 0) text += fmt::format("the longest {} on all {}, one after another", plan.together, comm_.size());
+        if (plan.together > 0)
+            text += fmt::format("the longest {} on all {}, one after another", plan.together, comm_.size());
         const std::size_t rest = pending_.size() - plan.together;
         if (rest > 0 && plan.together > 0) text += "; then ";
         if (rest > 0)
-            text += plan.groups > 1 ? fmt::format("{} by {} groups side by side", rest, plan.groups) : "one variant after another";
+            text += plan.groups > 1 ? fmt::format("{} by {} groups side by side", rest, plan.groups)
+                                    : "one variant after another";
         log_.info(fmt::format("  ranks         {}: {}", comm_.size(), text));
     }
 
@@ -86,12 +94,15 @@ class StudyRun {
 
     void compute_side_by_side(const study::RankPlan& plan) {
         const std::size_t rest = pending_.size() - plan.together;
-        const parallel::Communicator group = split(comm_, study::group_of(comm_.rank(), comm_.size(), plan.groups));
+        const parallel::Communicator group =
+            split(comm_, study::group_of(comm_.rank(), comm_.size(), plan.groups));
         for (;;) {
             std::vector<std::int32_t> next(1);
             const bool goes_on = !group.any(noted_signal() != 0);
             if (group.rank() == 0)
-                next[0] = goes_on ? static_cast<std::int32_t>(std::min<std::int64_t>(work_queue_.next(), std::ssize(pending_))) : -1;
+                next[0] = goes_on ? static_cast<std::int32_t>(
+                                        std::min<std::int64_t>(work_queue_.next(), std::ssize(pending_)))
+                                  : -1;
             group.broadcast(next);
             if (next[0] < 0 || static_cast<std::size_t>(next[0]) >= rest) return;
             const std::size_t job = plan.order[plan.together + static_cast<std::size_t>(next[0])];
@@ -112,20 +123,22 @@ class StudyRun {
         } catch (const std::exception& error) {
             failure = entries_[entry].variant.name + ": " + parallel::text_of(error);
         }
-        parallel::meet(group, failure);  // all ranks of the group fail alike, or else end; the other groups go on
+        parallel::meet(group,
+                       failure);  // all ranks of the group fail alike, or else end; the other groups go on
         if (failure_.empty()) failure_ = failure;
         if (group.rank() == 0) tell(job, seconds_since(begin));
     }
 
     void tell(std::size_t job, double seconds) {
         // In parts of a billion, since the counters are whole numbers.
-        const auto done = static_cast<double>(work_queue_.done(std::llround(jobs_[job].cost / total_ * 1e9))) / 1e9;
+        const auto done =
+            static_cast<double>(work_queue_.done(std::llround(jobs_[job].cost / total_ * 1e9))) / 1e9;
         const double left = done > 0 ? seconds_since(begin_) * (1 - std::min(done, 1.0)) / done : 0;
         const std::int64_t finished = work_queue_.finished();
         const std::string name = entries_[pending_[job]].variant.name;
         // Leaders of groups print for themselves; whole lines, so that they do not mix.
-        const std::string line =
-            fmt::format("  [{}/{}] {}: {:.2f} s, {} left\n", finished, pending_.size(), name, seconds, io::duration_text(left));
+        const std::string line = fmt::format("  [{}/{}] {}: {:.2f} s, {} left\n", finished, pending_.size(),
+                                             name, seconds, io::duration_text(left));
         std::fputs(line.c_str(), stdout);
         std::fflush(stdout);
     }
@@ -133,7 +146,8 @@ class StudyRun {
     void raise_failure() {
         if (const int signal = static_cast<int>(comm_.max(noted_signal())); signal != 0)
             throw Interrupted(
-                fmt::format("{} received: computed variants are kept, the same command goes on from them", name_of_signal(signal)));
+                fmt::format("{} received: computed variants are kept, the same command goes on from them",
+                            name_of_signal(signal)));
         const auto failure = parallel::first_failure(comm_, failure_);
         if (!failure.empty()) throw std::runtime_error(failure);
     }
@@ -153,8 +167,8 @@ class StudyRun {
 
 }  // namespace
 
-void run_study(const scene::Study& study, std::span<const StudyEntry> entries, const std::filesystem::path& folder,
-               const parallel::Communicator& comm, io::Log& log) {
+void run_study(const scene::Study& study, std::span<const StudyEntry> entries,
+               const std::filesystem::path& folder, const parallel::Communicator& comm, io::Log& log) {
     StudyRun(study, entries, folder, comm, log).run();
 }
 

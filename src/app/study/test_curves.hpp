@@ -10,7 +10,8 @@
 namespace weavefront::app {
 
 inline constexpr const char* yarn_header = "time,strain,stress";
-inline constexpr const char* cell_header = "time,h_fill,stress_fill,stress_warp,stress_xx,stress_yy,stress_xy,evaluations";
+inline constexpr const char* cell_header =
+    "time,h_fill,stress_fill,stress_warp,stress_xx,stress_yy,stress_xy,evaluations";
 
 /// What such a variant leaves.
 struct TestCurve {

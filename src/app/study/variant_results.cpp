@@ -12,25 +12,32 @@
 
 namespace weavefront::app {
 
-VariantResults::VariantResults(const scene::Case& variant, const std::filesystem::path& folder) : variant_(variant), folder_(folder) {
+VariantResults::VariantResults(const scene::Case& variant, const std::filesystem::path& folder)
+    : variant_(variant), folder_(folder) {
     const std::filesystem::path path = folder / "summary.json";
     std::ifstream file(path);
     summary_ = nlohmann::json::parse(file, nullptr, false);
-    if (!file || summary_.is_discarded()) throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
+    if (!file || summary_.is_discarded())
+        throw std::runtime_error(fmt::format("{}: cannot be read", path.string()));
     for (const char* key : {"status", "reason", "element_steps", "ranks", "nanoseconds_per_element_step"})
         if (!summary_.is_object() || !summary_.contains(key))
-            throw std::runtime_error(fmt::format("{}: no {}, as the summary of a run has: remove the file", path.string(), key));
+            throw std::runtime_error(
+                fmt::format("{}: no {}, as the summary of a run has: remove the file", path.string(), key));
     history_ = study::read_columns(folder / "history.csv");
 }
 
-study::Curve VariantResults::history(const std::string& column) const { return {history_.at("time"), history_.at(column)}; }
+study::Curve VariantResults::history(const std::string& column) const {
+    return {history_.at("time"), history_.at(column)};
+}
 
 std::optional<double> VariantResults::outcome(const std::string& name) const {
     if (name.starts_with("strip_")) return strip(name);
     if (history_.at("time").empty()) return std::nullopt;
     if (name == "peak_displacement") return std::ranges::max(history_.at("max_displacement"));
-    if (name == "absorbed_energy") return history_.at("kinetic_projectile").front() - last("kinetic_projectile");
-    if (name == "residual_velocity") return variant_.scene.projectile ? std::optional(last("projectile_vz")) : std::nullopt;
+    if (name == "absorbed_energy")
+        return history_.at("kinetic_projectile").front() - last("kinetic_projectile");
+    if (name == "residual_velocity")
+        return variant_.scene.projectile ? std::optional(last("projectile_vz")) : std::nullopt;
     return last(name);
 }
 

@@ -22,10 +22,12 @@ namespace {
 
 double element_steps(const scene::Scene& scene) {
     const double elements = static_cast<double>(mesh::make_panel(scene).elements());
-    return elements * scene.time.end / (scene.time.safety * scene.target->mesh.center);  // steps in proportion to end over size
+    return elements * scene.time.end /
+           (scene.time.safety * scene.target->mesh.center);  // steps in proportion to end over size
 }
 
-void write_curve(scene::Compute compute, const scene::Case& variant, io::OutputDirectory& folder, const parallel::Communicator& comm) {
+void write_curve(scene::Compute compute, const scene::Case& variant, io::OutputDirectory& folder,
+                 const parallel::Communicator& comm) {
     const TestCurve curve = compute == scene::Compute::yarn ? yarn_curve(variant) : cell_curve(variant);
     folder.clear();
     curve.table.write(folder.path() / "history.csv");
@@ -70,8 +72,10 @@ bool is_computed(scene::Compute compute, const scene::Case& variant, const std::
         return part.is_object() && part.contains(key) && part[key] == text;
     };
     if (!says(summary, "scene_hash", variant.hash) || says(summary, "status", "interrupted")) return false;
-    if (!summary.contains("versions") || !says(summary["versions"], "weavefront", WEAVEFRONT_VERSION)) return false;
-    // What was cut or changed since has another checksum; of results it would take too long to compute, but a cut file does not open.
+    if (!summary.contains("versions") || !says(summary["versions"], "weavefront", WEAVEFRONT_VERSION))
+        return false;
+    // What was cut or changed since has another checksum; of results it would take too long to compute, but a
+    // cut file does not open.
     const auto history = io::sha256_of_file(folder / "history.csv");
     if (history.empty() || !says(summary, "history_sha256", history)) return false;
     return compute != scene::Compute::impact || io::is_results_file(folder / "results.vtkhdf");

@@ -13,8 +13,8 @@ namespace weavefront::app {
 /// Expected element-steps and the most ranks of use.
 study::Job job_of(scene::Compute compute, const scene::Case& variant);
 
-/// Computes the variant into its folder, which exists: history.csv, summary.json and, of an impact, results.vtkhdf and run.log.
-/// A run that the guard stops has an outcome too.
+/// Computes the variant into its folder, which exists: history.csv, summary.json and, of an impact,
+/// results.vtkhdf and run.log. A run that the guard stops has an outcome too.
 /// @note Collective
 void compute_variant(scene::Compute compute, const scene::Case& variant, const std::filesystem::path& folder,
                      const parallel::Communicator& comm);

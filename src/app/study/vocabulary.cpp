@@ -28,8 +28,8 @@ scene::Vocabulary vocabulary(scene::Compute compute) {
         case scene::Compute::impact:
             break;
     }
-    return {{"residual_velocity", "peak_displacement", "absorbed_energy", "broken_yarns", "eroded_elements", "energy_error", "strip_strain",
-             "strip_transverse_speed", "strip_longitudinal_speed"},
+    return {{"residual_velocity", "peak_displacement", "absorbed_energy", "broken_yarns", "eroded_elements",
+             "energy_error", "strip_strain", "strip_transverse_speed", "strip_longitudinal_speed"},
             columns_of(io::history_header()),
             {"displacement"},
             {"smith"}};

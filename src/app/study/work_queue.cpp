@@ -11,7 +11,8 @@ constexpr int counters = 3;
 
 WorkQueue::WorkQueue(const parallel::Communicator& comm) : exceptions_(std::uncaught_exceptions()) {
     const MPI_Aint bytes = comm.rank() == 0 ? counters * static_cast<MPI_Aint>(sizeof(std::int64_t)) : 0;
-    parallel::check(MPI_Win_allocate(bytes, sizeof(std::int64_t), MPI_INFO_NULL, comm.get(), static_cast<void*>(&counters_), &window_));
+    parallel::check(MPI_Win_allocate(bytes, sizeof(std::int64_t), MPI_INFO_NULL, comm.get(),
+                                     static_cast<void*>(&counters_), &window_));
     parallel::check(MPI_Win_lock_all(0, window_));
     if (comm.rank() == 0) std::fill_n(counters_, counters, 0);
     parallel::check(MPI_Win_sync(window_));

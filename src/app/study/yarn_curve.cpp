@@ -10,7 +10,8 @@ namespace weavefront::app {
 
 namespace {
 
-/// Rows lie this part of the time apart, so that what decays within few steps shows as well as what takes all of them.
+/// Rows lie this part of the time apart, so that what decays within few steps shows as well as what takes all
+/// of them.
 constexpr std::int64_t rows_a_time = 100;
 
 template <fabric::Features F>
@@ -44,7 +45,8 @@ TestCurve yarn_curve(const scene::Case& variant) {
     fabric::Features features = fabric::features_of(fabric);
     // a yarn by itself is straight, touches nothing, and is followed beyond its failure
     features.crimp = features.lateral = features.friction = features.failure = false;
-    return fabric::with_features(features, [&]<fabric::Features F>() { return strain<F>(constants, variant.yarn); });
+    return fabric::with_features(features,
+                                 [&]<fabric::Features F>() { return strain<F>(constants, variant.yarn); });
 }
 
 }  // namespace weavefront::app

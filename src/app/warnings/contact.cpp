@@ -19,7 +19,9 @@ constexpr double least_across = 2.5;
 /// takes k depth^2/2 per area, and what their relative motion has is mu speed^2/2, mu the reduced mass per
 /// area. Tension of the fabric comes later and makes it less, by little. @param stiffness k, Pa/m @param
 /// reduced mu, kg/m2 @param speed m/s
-double depth_of_impact(double stiffness, double reduced, double speed) { return speed * std::sqrt(reduced / stiffness); }
+double depth_of_impact(double stiffness, double reduced, double speed) {
+    return speed * std::sqrt(reduced / stiffness);
+}
 
 // A stop within the thickness h of the ply takes the pressure mu speed^2/h in the mean, and contact gives k h
 // at the most: where the depth is more than h, what presses is behind the ply before the ply has its speed,
@@ -29,20 +31,23 @@ void warn_of_soft_contact(const Shot& shot, Phrases& found) {
     const auto& projectile = *shot.scene.projectile;
     const auto& units = shot.scene.units;
     const auto& ply = shot.struck();
-    const double area = std::numbers::pi / 4 * projectile.diameter * projectile.diameter, speed = projectile.velocity[2];
+    const double area = std::numbers::pi / 4 * projectile.diameter * projectile.diameter,
+                 speed = projectile.velocity[2];
     const double m = ply.areal_density, M = projectile.mass / area, thickness = ply.contact_thickness;
     const auto say = [&](const char* key, double stiffness, const char* what, double depth) {
         found.push_back(fmt::format("{} of {} is too soft: at {} {} goes {} into a ply of {}", key,
-                                    text_of(stiffness, units.area_stiffness), text_of(speed, units.speed), what,
-                                    text_of(depth, units.length), text_of(thickness, units.length)));
+                                    text_of(stiffness, units.area_stiffness), text_of(speed, units.speed),
+                                    what, text_of(depth, units.length), text_of(thickness, units.length)));
     };
     if (contact.projectile) {
         const double depth = depth_of_impact(contact.projectile->stiffness, m * M / (m + M), speed);
-        if (depth > thickness) say("contact.projectile.stiffness", contact.projectile->stiffness, "the projectile", depth);
+        if (depth > thickness)
+            say("contact.projectile.stiffness", contact.projectile->stiffness, "the projectile", depth);
     }
     if (contact.plies && shot.panel.plies.size() > 1) {
         const double depth = depth_of_impact(contact.plies->stiffness, m / 2, speed);  // of two equal plies
-        if (depth > thickness) say("contact.plies.stiffness", contact.plies->stiffness, "a struck ply", depth);
+        if (depth > thickness)
+            say("contact.plies.stiffness", contact.plies->stiffness, "a struck ply", depth);
     }
 }
 
@@ -51,14 +56,18 @@ void warn_of_soft_contact(const Shot& shot, Phrases& found) {
 void warn_of_soft_frame(const Shot& shot, Phrases& found) {
     const auto& units = shot.scene.units;
     const auto& fabric = shot.fabric_of(shot.panel.plies.back());
-    const double radius = shot.scene.target->frame->edge_radius, stiffness = shot.scene.contact.frame.stiffness;
+    const double radius = shot.scene.target->frame->edge_radius,
+                 stiffness = shot.scene.contact.frame.stiffness;
     if (!fabric.failure || radius == 0) return;
-    const double tension = fabric.elastic.static_modulus * fabric.failure->static_strain * fabric.yarn.area / fabric.yarn.span;
+    const double tension =
+        fabric.elastic.static_modulus * fabric.failure->static_strain * fabric.yarn.area / fabric.yarn.span;
     const double depth = tension / radius / stiffness;
     if (depth > fabric.contact_thickness)
-        found.push_back(fmt::format("contact.frame.stiffness of {} is too soft: fabric about to break goes {} into the bars, a ply is {}",
-                                    text_of(stiffness, units.area_stiffness), text_of(depth, units.length),
-                                    text_of(fabric.contact_thickness, units.length)));
+        found.push_back(
+            fmt::format("contact.frame.stiffness of {} is too soft: fabric about to break goes {} into the "
+                        "bars, a ply is {}",
+                        text_of(stiffness, units.area_stiffness), text_of(depth, units.length),
+                        text_of(fabric.contact_thickness, units.length)));
 }
 
 /// Length of the interval of grid lines that holds a coordinate.
@@ -75,28 +84,32 @@ void warn_of_coarse_contact(const Shot& shot, Phrases& found) {
     const auto& spacing = shot.scene.contact.spacing;
     double elements = 0, points = 0;
     for (std::size_t d = 0; d < 2; ++d) {
-        const double size = size_at(d == 0 ? shot.panel.x : shot.panel.y, shot.panel.symmetry[d] ? std::abs(place[d]) : place[d]);
+        const double size = size_at(d == 0 ? shot.panel.x : shot.panel.y,
+                                    shot.panel.symmetry[d] ? std::abs(place[d]) : place[d]);
         elements = std::max(elements, size);
         points = std::max(points, spacing ? size / std::ceil(size / *spacing) : size);
     }
     if (projectile.diameter < least_across * std::max(elements, points))
         found.push_back(
-            fmt::format("the projectile is {} across where it meets elements of {} with contact points {} apart: with fewer than three "
+            fmt::format("the projectile is {} across where it meets elements of {} with contact points {} "
+                        "apart: with fewer than three "
                         "across it may pass between them",
                         length(projectile.diameter), length(elements), length(points)));
     else if (spacing && *spacing > projectile.diameter)
-        found.push_back(
-            fmt::format("contact.spacing is {}, more than the {} of the projectile", length(*spacing), length(projectile.diameter)));
+        found.push_back(fmt::format("contact.spacing is {}, more than the {} of the projectile",
+                                    length(*spacing), length(projectile.diameter)));
 }
 
 /// @returns whether the projectile jumps over the fabric, which leaves nothing else to say
 bool warn_of_steps(const Shot& shot, Phrases& found) {
     double thinnest = std::numeric_limits<double>::max();
-    for (const auto& ply : shot.panel.plies) thinnest = std::min(thinnest, shot.fabric_of(ply).contact_thickness);
+    for (const auto& ply : shot.panel.plies)
+        thinnest = std::min(thinnest, shot.fabric_of(ply).contact_thickness);
     const double way = shot.speed * shot.time_step;
     if (way <= thinnest) return false;
-    found.push_back(fmt::format("the projectile goes {} in a step, more than the {} that a ply is thick: it will pass through unseen",
-                                text_of(way, shot.scene.units.length), text_of(thinnest, shot.scene.units.length)));
+    found.push_back(fmt::format(
+        "the projectile goes {} in a step, more than the {} that a ply is thick: it will pass through unseen",
+        text_of(way, shot.scene.units.length), text_of(thinnest, shot.scene.units.length)));
     return true;
 }
 

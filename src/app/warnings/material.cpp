@@ -36,16 +36,16 @@ void warn_of_moduli(const Shot& shot, const scene::Fabric& fabric, Phrases& foun
     const auto& [static_modulus, hooke_modulus, viscosity] = fabric.elastic;
     const bool plausible = static_modulus >= least_modulus && static_modulus <= most_modulus;
     if (!plausible)
-        found.push_back(fmt::format("fabric {}: static_modulus is {}, fibres have {} to {}", fabric.name, modulus(static_modulus),
-                                    modulus(least_modulus), modulus(most_modulus)));
+        found.push_back(fmt::format("fabric {}: static_modulus is {}, fibres have {} to {}", fabric.name,
+                                    modulus(static_modulus), modulus(least_modulus), modulus(most_modulus)));
     if (hooke_modulus > most_instantaneous)
-        found.push_back(fmt::format("fabric {}: hooke_modulus is {}, diamond has {}", fabric.name, modulus(hooke_modulus),
-                                    modulus(most_instantaneous)));
+        found.push_back(fmt::format("fabric {}: hooke_modulus is {}, diamond has {}", fabric.name,
+                                    modulus(hooke_modulus), modulus(most_instantaneous)));
     // A fibre is stiffest along its axis.
     const auto warn_if_stiffer = [&](std::string_view key, double value) {
         if (plausible && value > static_modulus)
-            found.push_back(fmt::format("fabric {}: {} is {}, more than the {} of the yarns along their axis", fabric.name, key,
-                                        modulus(value), modulus(static_modulus)));
+            found.push_back(fmt::format("fabric {}: {} is {}, more than the {} of the yarns along their axis",
+                                        fabric.name, key, modulus(value), modulus(static_modulus)));
     };
     warn_if_stiffer("transverse_shear", fabric.transverse_shear);
     if (!fabric.lateral) return;
@@ -54,12 +54,14 @@ void warn_of_moduli(const Shot& shot, const scene::Fabric& fabric, Phrases& foun
 }
 
 void warn_of_viscosity(const Shot& shot, const scene::Fabric& fabric, Phrases& found) {
-    const double Ka = fabric.elastic.hooke_modulus, E1 = fabric.elastic.static_modulus, end = shot.scene.time.end;
+    const double Ka = fabric.elastic.hooke_modulus, E1 = fabric.elastic.static_modulus,
+                 end = shot.scene.time.end;
     const double Kb = Ka * E1 / (Ka - E1), tau = fabric.elastic.viscosity / (Ka + Kb);  // IT04 (21), (14)
     const auto say = [&](std::string_view outcome) {
-        found.push_back(fmt::format("fabric {}: a viscosity of {} relaxes in {} and the run takes {}: {}", fabric.name,
-                                    text_of(fabric.elastic.viscosity, shot.scene.units.viscosity), text_of(tau, shot.scene.units.time),
-                                    text_of(end, shot.scene.units.time), outcome));
+        found.push_back(
+            fmt::format("fabric {}: a viscosity of {} relaxes in {} and the run takes {}: {}", fabric.name,
+                        text_of(fabric.elastic.viscosity, shot.scene.units.viscosity),
+                        text_of(tau, shot.scene.units.time), text_of(end, shot.scene.units.time), outcome));
     };
     if (tau > 0 && tau * most_apart < end) say("yarns have no more than their static modulus");
     if (tau > end * most_apart) say("yarns do not relax from their Hooke modulus");
@@ -71,16 +73,18 @@ void warn_of_viscosity(const Shot& shot, const scene::Fabric& fabric, Phrases& f
 void warn_of_failure(const scene::Fabric& fabric, Phrases& found) {
     const auto& [static_strain, hooke_strain, erode] = *fabric.failure;
     if (static_strain < least_strain || static_strain > most_strain)
-        found.push_back(fmt::format("fabric {}: static_strain is {:.4g} %, fibres break at {:.4g} to {:.4g} %", fabric.name,
-                                    static_strain * 100, least_strain * 100, most_strain * 100));
+        found.push_back(
+            fmt::format("fabric {}: static_strain is {:.4g} %, fibres break at {:.4g} to {:.4g} %",
+                        fabric.name, static_strain * 100, least_strain * 100, most_strain * 100));
     // Without an upper limit: a large one is how data of a slow test alone are entered.
     if (hooke_strain < least_strain)
-        found.push_back(fmt::format("fabric {}: hooke_strain is {:.4g} %, fibres break at {:.4g} to {:.4g} %", fabric.name,
-                                    hooke_strain * 100, least_strain * 100, most_strain * 100));
+        found.push_back(fmt::format("fabric {}: hooke_strain is {:.4g} %, fibres break at {:.4g} to {:.4g} %",
+                                    fabric.name, hooke_strain * 100, least_strain * 100, most_strain * 100));
     const double by_hooke = hooke_strain * fabric.elastic.hooke_modulus / fabric.elastic.static_modulus;
     if (fabric.elastic.viscosity == 0 && by_hooke < static_strain)
         found.push_back(
-            fmt::format("fabric {}: without viscosity yarns break at {:.4g} %, which hooke_strain decides (hooke_strain times "
+            fmt::format("fabric {}: without viscosity yarns break at {:.4g} %, which hooke_strain decides "
+                        "(hooke_strain times "
                         "hooke_modulus over static_modulus), before the static_strain of {:.4g} %",
                         fabric.name, by_hooke * 100, static_strain * 100));
 }
@@ -90,15 +94,18 @@ void warn_of_failure(const scene::Fabric& fabric, Phrases& found) {
 void warn_of_material(const Shot& shot, const scene::Fabric& fabric, Phrases& found) {
     if (fabric.density < least_density || fabric.density > most_density)
         found.push_back(fmt::format("fabric {}: the density is {}, fibres have {} to {}", fabric.name,
-                                    text_of(fabric.density, shot.scene.units.density), text_of(least_density, shot.scene.units.density),
+                                    text_of(fabric.density, shot.scene.units.density),
+                                    text_of(least_density, shot.scene.units.density),
                                     text_of(most_density, shot.scene.units.density)));
     warn_of_moduli(shot, fabric, found);
     if (shot.has_plausible_end()) warn_of_viscosity(shot, fabric, found);
     if (fabric.failure) warn_of_failure(fabric, found);
     if (fabric.friction > most_friction)
-        found.push_back(fmt::format("fabric {}: friction is {:.4g}, yarns on yarns have 0.1 to 0.4", fabric.name, fabric.friction));
+        found.push_back(fmt::format("fabric {}: friction is {:.4g}, yarns on yarns have 0.1 to 0.4",
+                                    fabric.name, fabric.friction));
     if (fabric.hourglass > most_hourglass)
-        found.push_back(fmt::format("fabric {}: hourglass is {:.4g}, full integration has 1", fabric.name, fabric.hourglass));
+        found.push_back(fmt::format("fabric {}: hourglass is {:.4g}, full integration has 1", fabric.name,
+                                    fabric.hourglass));
 }
 
 }  // namespace weavefront::app

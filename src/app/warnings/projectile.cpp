@@ -29,14 +29,17 @@ double volume(const scene::Projectile& projectile) {
 
 void warn_of_shape(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     const auto& units = shot.scene.units;
-    const double d = projectile.diameter, density = projectile.mass / volume(projectile), ratio = projectile.length / d;
+    const double d = projectile.diameter, density = projectile.mass / volume(projectile),
+                 ratio = projectile.length / d;
     if (projectile.shape == scene::Shape::cylinder && (ratio < least_length || ratio > most_length))
-        found.push_back(fmt::format("the projectile is {} long and {} wide: by its mass of {}, unless its length is given",
-                                    text_of(projectile.length, units.length), text_of(d, units.length),
-                                    text_of(projectile.mass, units.mass)));
+        found.push_back(fmt::format(
+            "the projectile is {} long and {} wide: by its mass of {}, unless its length is given",
+            text_of(projectile.length, units.length), text_of(d, units.length),
+            text_of(projectile.mass, units.mass)));
     else if (density < least_density || density > most_density)
-        found.push_back(fmt::format("the projectile weighs {} at its size ({}), materials {} to {}", text_of(density, units.density),
-                                    text_of(projectile.mass, units.mass), text_of(least_density, units.density, 6),
+        found.push_back(fmt::format("the projectile weighs {} at its size ({}), materials {} to {}",
+                                    text_of(density, units.density), text_of(projectile.mass, units.mass),
+                                    text_of(least_density, units.density, 6),
                                     text_of(most_density, units.density, 6)));
 }
 
@@ -44,16 +47,19 @@ void warn_of_yaw(const Shot& shot, const scene::Projectile& projectile, Phrases&
     const auto& v = projectile.velocity;
     const double angle = std::atan2(std::hypot(v[0], v[1]), v[2]);
     if (projectile.shape == scene::Shape::cylinder && angle > most_yaw)
-        found.push_back(fmt::format("the cylinder flies at {:.3g} deg to its axis, which stays along z: velocity {}, {}, {}",
-                                    angle * 180 / std::numbers::pi, text_of(v[0], shot.scene.units.speed),
-                                    text_of(v[1], shot.scene.units.speed), text_of(v[2], shot.scene.units.speed)));
+        found.push_back(fmt::format(
+            "the cylinder flies at {:.3g} deg to its axis, which stays along z: velocity {}, {}, {}",
+            angle * 180 / std::numbers::pi, text_of(v[0], shot.scene.units.speed),
+            text_of(v[1], shot.scene.units.speed), text_of(v[2], shot.scene.units.speed)));
 }
 
 /// Of a projectile that does not reach the target. Its default position touches the first ply.
 void warn_of_way(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
-    const double gap = -shot.struck().contact_thickness / 2 - projectile.position[2], time = gap / projectile.velocity[2];
+    const double gap = -shot.struck().contact_thickness / 2 - projectile.position[2],
+                 time = gap / projectile.velocity[2];
     if (time >= shot.scene.time.end)
-        found.push_back(fmt::format("the projectile needs {} to the first ply, the run ends at {}", text_of(time, shot.scene.units.time),
+        found.push_back(fmt::format("the projectile needs {} to the first ply, the run ends at {}",
+                                    text_of(time, shot.scene.units.time),
                                     text_of(shot.scene.time.end, shot.scene.units.time)));
 }
 
@@ -64,15 +70,17 @@ void warn_of_place(const Shot& shot, const scene::Projectile& projectile, Phrase
     const auto& size = shot.scene.target->size;
     const double across = projectile.diameter;
     if (across > std::ranges::max(size)) {
-        found.push_back(fmt::format("the projectile is {} across, the target {}", length(across), length(std::ranges::max(size))));
+        found.push_back(fmt::format("the projectile is {} across, the target {}", length(across),
+                                    length(std::ranges::max(size))));
         return;
     }
     const auto place = place_at(projectile, -shot.struck().contact_thickness / 2);
     for (std::size_t d = 0; d < 2; ++d) {
         const double half = size[d] / 2, beyond = std::abs(place[d]) + across / 2 - half;
         if (beyond > 0 && std::abs(place[d]) - across / 2 > -half)
-            found.push_back(fmt::format("the projectile meets the target at {} = {}, its side {} beyond the edge", d == 0 ? "x" : "y",
-                                        length(place[d]), length(beyond)));
+            found.push_back(
+                fmt::format("the projectile meets the target at {} = {}, its side {} beyond the edge",
+                            d == 0 ? "x" : "y", length(place[d]), length(beyond)));
     }
 }
 
@@ -85,10 +93,10 @@ void warn_of_bars(const Shot& shot, const scene::Projectile& projectile, Phrases
         const auto& half = frame.half_opening[d];
         if (!half || 2 * *half < projectile.diameter) continue;  // said of the opening
         if (std::abs(place[d]) + projectile.diameter / 2 > *half)
-            found.push_back(
-                fmt::format("on its way the projectile meets a bar of the frame: it is {} wide and would pass "
-                            "at {} = {}, the opening ends at {}",
-                            length(projectile.diameter), d == 0 ? "x" : "y", length(place[d]), length(*half)));
+            found.push_back(fmt::format(
+                "on its way the projectile meets a bar of the frame: it is {} wide and would pass "
+                "at {} = {}, the opening ends at {}",
+                length(projectile.diameter), d == 0 ? "x" : "y", length(place[d]), length(*half)));
     }
 }
 

@@ -25,8 +25,8 @@ void warn_of_size(const Shot& shot, Phrases& found) {
     const double reached = shot.wave * shot.scene.time.end;
     const auto size = std::ranges::max(shot.scene.target->size);
     if (size / 2 > most_beyond_wave * reached)
-        found.push_back(fmt::format("the target is {} wide, and the wave in its yarns goes {} until the end", text_of(size, units.length),
-                                    text_of(reached, units.length)));
+        found.push_back(fmt::format("the target is {} wide, and the wave in its yarns goes {} until the end",
+                                    text_of(size, units.length), text_of(reached, units.length)));
 }
 
 void warn_of_plies(const Shot& shot, Phrases& found) {
@@ -38,12 +38,14 @@ void warn_of_plies(const Shot& shot, Phrases& found) {
     std::size_t behind = 0;
     for (std::size_t i = 1; i < plies.size(); ++i) {
         const double gap =
-            plies[i].spacing - (shot.fabric_of(plies[i]).contact_thickness + shot.fabric_of(plies[i - 1]).contact_thickness) / 2;
+            plies[i].spacing -
+            (shot.fabric_of(plies[i]).contact_thickness + shot.fabric_of(plies[i - 1]).contact_thickness) / 2;
         if (gap > largest) largest = gap, behind = i;
     }
     if (largest > way)
-        found.push_back(fmt::format("between ply {} and ply {} there are {} of air, and the projectile goes {} until the end", behind,
-                                    behind + 1, text_of(largest, length), text_of(way, length)));
+        found.push_back(fmt::format(
+            "between ply {} and ply {} there are {} of air, and the projectile goes {} until the end", behind,
+            behind + 1, text_of(largest, length), text_of(way, length)));
 }
 
 void warn_of_frame(const Shot& shot, Phrases& found) {
@@ -55,12 +57,14 @@ void warn_of_frame(const Shot& shot, Phrases& found) {
         const double bar = shot.scene.target->size[d] / 2 - *half;
         if (frame.edge_radius > bar)
             found.push_back(
-                fmt::format("the bars of the frame are rounded with {} along {}, where the fabric lies on {} of them: nowhere flat",
+                fmt::format("the bars of the frame are rounded with {} along {}, where the fabric lies on {} "
+                            "of them: nowhere flat",
                             length(frame.edge_radius), d == 0 ? "x" : "y", length(bar)));
         const double across = shot.scene.projectile ? shot.scene.projectile->diameter : 0;
         if (2 * *half < across)
-            found.push_back(fmt::format("the frame's opening is {} along {}, less than the {} of the projectile", length(2 * *half),
-                                        d == 0 ? "x" : "y", length(across)));
+            found.push_back(
+                fmt::format("the frame's opening is {} along {}, less than the {} of the projectile",
+                            length(2 * *half), d == 0 ? "x" : "y", length(across)));
     }
 }
 
@@ -73,10 +77,13 @@ void warn_of_target(const Shot& shot, Phrases& found) {
     }
     const auto& [center, edge, growth] = shot.scene.target->mesh;
     if (edge > most_grading * center)
-        found.push_back(fmt::format("elements grow from {} to {}: the smallest set the step, the largest see no wave of theirs",
-                                    text_of(center, shot.scene.units.length), text_of(edge, shot.scene.units.length)));
+        found.push_back(fmt::format(
+            "elements grow from {} to {}: the smallest set the step, the largest see no wave of theirs",
+            text_of(center, shot.scene.units.length), text_of(edge, shot.scene.units.length)));
     if (growth > most_growth)
-        found.push_back(fmt::format("elements grow by {:.4g} from one to the next, usual are 1.05 to 1.3; above 3 they grow by 3", growth));
+        found.push_back(fmt::format(
+            "elements grow by {:.4g} from one to the next, usual are 1.05 to 1.3; above 3 they grow by 3",
+            growth));
     if (shot.scene.target->frame) warn_of_frame(shot, found);
 }
 

@@ -20,7 +20,8 @@ std::vector<std::string> warnings(const scene::Scene& scene, const mesh::Panel& 
         const auto& v = projectile.velocity;
         return std::hypot(v[0], v[1], v[2]);
     };
-    const Shot shot{scene, panel, time_step, scene.projectile ? speed_of(*scene.projectile) : 0, partition::largest_wave_speed(scene)};
+    const Shot shot{scene, panel, time_step, scene.projectile ? speed_of(*scene.projectile) : 0,
+                    partition::largest_wave_speed(scene)};
     Phrases found;
     for (const auto& fabric : scene.fabrics) {
         warn_of_weave(shot, fabric, found);
@@ -45,7 +46,8 @@ bool Shot::has_plausible_end() const {
 
 std::array<double, 2> place_at(const scene::Projectile& projectile, double z) {
     const double time = (z - projectile.position[2]) / projectile.velocity[2];
-    return {projectile.position[0] + projectile.velocity[0] * time, projectile.position[1] + projectile.velocity[1] * time};
+    return {projectile.position[0] + projectile.velocity[0] * time,
+            projectile.position[1] + projectile.velocity[1] * time};
 }
 
 }  // namespace weavefront::app

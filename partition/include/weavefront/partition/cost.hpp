@@ -10,8 +10,8 @@
 
 namespace weavefront::partition {
 
-/// Cost of every column in nanoseconds a step, a mean over the run: its elements, and contact while the zone around the shot holds it. By
-/// the committed machine, so that the decomposition is the same on every one.
+/// Cost of every column in nanoseconds a step, a mean over the run: its elements, and contact while the zone
+/// around the shot holds it. By the committed machine, so that the decomposition is the same on every one.
 std::vector<std::int32_t> column_costs(const mesh::Panel& panel, const scene::Scene& scene);
 
 }  // namespace weavefront::partition

@@ -13,7 +13,8 @@
 
 namespace weavefront::partition {
 
-/// Quality of a decomposition and the time of a step on it, a mean over the run. "Most" is the largest of the ranks.
+/// Quality of a decomposition and the time of a step on it, a mean over the run. "Most" is the largest of the
+/// ranks.
 struct Forecast {
     int ranks = 1;
     std::int64_t columns = 0, elements = 0;
@@ -26,19 +27,20 @@ struct Forecast {
     double seconds = 0;                ///< a step
 };
 
-/// T = mean over the run of the most over ranks of [elements element + nodes node + ply contact (elements (watch + renewals search) +
-/// elements in the zone touch)] crowding + messages latency + bytes/bandwidth, and log2 R reductions. Rows of the history and frames come
-/// on top.
+/// T = mean over the run of the most over ranks of [elements element + nodes node + ply contact (elements
+/// (watch + renewals search) + elements in the zone touch)] crowding + messages latency + bytes/bandwidth,
+/// and log2 R reductions. Rows of the history and frames come on top.
 /// @param decomposition of this panel
 /// @param ghost_reach   as for `halo_sizes`
-Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition, double ghost_reach,
-                  const Machine& machine);
+Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition,
+                  double ghost_reach, const Machine& machine);
 
-/// Element-steps a second and rank, over those of one rank alone. @param alone the forecast of the same mesh, or of a coarser one, on one
-/// rank
+/// Element-steps a second and rank, over those of one rank alone. @param alone the forecast of the same mesh,
+/// or of a coarser one, on one rank
 double efficiency(const Forecast& forecast, const Forecast& alone);
 
-/// Renewals of what may meet what, a step: in proportion to the speed of the shot over that of the wave in the yarns.
+/// Renewals of what may meet what, a step: in proportion to the speed of the shot over that of the wave in
+/// the yarns.
 double renewals(const scene::Scene& scene, const Machine& machine);
 
 }  // namespace weavefront::partition

@@ -23,6 +23,7 @@ struct HaloPlan {
 };
 
 /// The halo of one part, found from the decomposition alone: no communication.
-HaloPlan make_halo_plan(const mesh::Panel& panel, const Decomposition& decomposition, const mesh::Part& part, int rank);
+HaloPlan make_halo_plan(const mesh::Panel& panel, const Decomposition& decomposition, const mesh::Part& part,
+                        int rank);
 
 }  // namespace weavefront::partition

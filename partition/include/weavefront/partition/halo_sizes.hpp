@@ -22,10 +22,13 @@ struct PartSizes {
 /// Bytes of a node's force sum.
 inline constexpr std::int64_t force_bytes = 24;
 
-/// The exchange of each part as the solver links it at the start: force sums between all parts that hold a node or, where plies touch,
-/// have it as a ghost. Counted are those that always travel, from parts that hold the node: what is pressed on ghosts is little.
-/// @param ghost_reach distance from a part's columns up to which those of others are its ghosts, along x and along y, m; 0: no ghosts
-std::vector<PartSizes> halo_sizes(const mesh::Panel& panel, const Decomposition& decomposition, double ghost_reach);
+/// The exchange of each part as the solver links it at the start: force sums between all parts that hold a
+/// node or, where plies touch, have it as a ghost. Counted are those that always travel, from parts that hold
+/// the node: what is pressed on ghosts is little.
+/// @param ghost_reach distance from a part's columns up to which those of others are its ghosts, along x and
+/// along y, m; 0: no ghosts
+std::vector<PartSizes> halo_sizes(const mesh::Panel& panel, const Decomposition& decomposition,
+                                  double ghost_reach);
 
 /// Parts whose columns lie around a footprint node, ascending, without repetition.
 struct Holders {

@@ -118,13 +118,13 @@ class Impact::Run {
 
     Ending advance(io::Progress& progress) {
         for (;;) {
-            if (noted_signal() != 0) simulation_.ask_to_stop();
+            if (noted_signal() != 0) simulation_.request_stop();
             simulation_.advance_forces();
             const bool end = is_at_end() || simulation_.is_stop_agreed();
             if (rows_.due(simulation_.time()) || end) {
                 write_row();
             } else if (simulation_.steps() - balanced_ >= steps_between_balances) {
-                last_ = simulation_.balance();
+                last_ = simulation_.record_balance();
                 require_balance();
             }
             const bool is_last = end || (balanced_ == simulation_.steps() && is_decided());
@@ -156,7 +156,7 @@ class Impact::Run {
     }
 
     void write_row() {
-        last_ = simulation_.balance();
+        last_ = simulation_.record_balance();
         {
             const solver::Timed timed(simulation_.seconds(), solver::Phase::output);
             history_.write(row_of(last_, simulation_.panel().columns()));

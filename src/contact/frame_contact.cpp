@@ -39,16 +39,4 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
     }
 }
 
-void FrameContact::save(std::int32_t facet, std::vector<double>& record) const {
-    const auto* memory = memories_.find(facet);
-    save_points(memory ? *memory : RigidMemory<Point>{}, record);
-}
-
-std::span<const double> FrameContact::restore(std::int32_t facet, std::span<const double> record) {
-    RigidMemory<Point> memory;
-    const auto rest = restore_points(memory, record);
-    keep(memories_, facet, std::move(memory));
-    return rest;
-}
-
 }  // namespace weavefront::contact

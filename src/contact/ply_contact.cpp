@@ -293,25 +293,4 @@ std::vector<std::int32_t> PlyContact::behind_next_ply(const Surface& surface, st
     return behind;
 }
 
-void PlyContact::save(std::int32_t facet, std::vector<double>& record) const {
-    record.insert(record.end(),
-                  {dissipated_budgets_[static_cast<std::size_t>(facet)], memory_.holds(facet) ? 1.0 : 0.0});
-    if (!memory_.holds(facet)) return;
-    for (const auto& points : memory_.recall(facet))
-        for (const auto* lanes : {&points.overlap, &points.ignored, &points.opened})
-            record.insert(record.end(), lanes->of, lanes->of + batch_width);
-}
-
-std::span<const double> PlyContact::restore(std::int32_t facet, std::span<const double> record) {
-    auto next = record.begin();
-    dissipated_budgets_[static_cast<std::size_t>(facet)] = *next++;
-    if (*next++ == 0) return {next, record.end()};
-    FacetPoints all;
-    for (auto& points : all)
-        for (auto* lanes : {&points.overlap, &points.ignored, &points.opened})
-            for (auto& value : lanes->of) value = *next++;
-    memory_.keep(facet, all);
-    return {next, record.end()};
-}
-
 }  // namespace weavefront::contact

@@ -83,23 +83,4 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
     }
 }
 
-void ProjectileContact::save(std::int32_t facet, std::vector<double>& record) const {
-    const auto* memory = memories_.find(facet);
-    const RigidMemory<Point> none;
-    const auto& saved = memory ? *memory : none;
-    save_points(saved, record);
-    for (const auto& point : saved.points) record.push_back(static_cast<double>(point.side));
-}
-
-std::span<const double> ProjectileContact::restore(std::int32_t facet, std::span<const double> record) {
-    RigidMemory<Point> memory;
-    auto rest = restore_points(memory, record);
-    for (auto& point : memory.points) {
-        point.side = static_cast<Side>(rest.front());
-        rest = rest.subspan(1);
-    }
-    keep(memories_, facet, std::move(memory));
-    return rest;
-}
-
 }  // namespace weavefront::contact

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "weavefront/shell/vector.hpp"
 
@@ -26,7 +27,7 @@ HourglassStiffness hourglass_stiffness(const scene::Fabric& fabric) {
 }  // namespace
 
 ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements,
-                           const StateSizes& sizes)
+                           const StateSizes& sizes, StateNames names)
     : size_(static_cast<std::int32_t>(elements.size())),
       packs_((size_ + pack_width - 1) / pack_width),
       hourglass_(hourglass_stiffness(fabric)),
@@ -35,7 +36,8 @@ ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupEle
       quads_(quads_of(elements)),
       packing_(packs_, sizes.packing, 0),
       damage_(packs_, sizes.damage, 1),
-      changing_fields_(sizes.changing) {
+      changing_fields_(sizes.changing),
+      names_(std::move(names)) {
     const auto lanes = static_cast<std::size_t>(packs_) * pack_width;
     state_.resize(lanes * static_cast<std::size_t>(sizes.changing));
     hourglass_energy_.resize(lanes);
@@ -91,31 +93,19 @@ std::int32_t ElementGroup::element(std::int32_t index) const {
     return run->element + (index - run->first);
 }
 
-void ElementGroup::save(std::int32_t index, std::vector<double>& record) const {
-    for (int field = 0; field < changing_fields_; ++field) record.push_back(state_[slot(index, field)]);
-    for (const auto* blocks : {&packing_, &damage_})
-        for (int field = 0; field < blocks->fields(); ++field)
-            record.push_back(blocks->get(index / pack_width, field, index % pack_width));
-    record.push_back(hourglass_energy(index));
-}
-
-std::span<const double> ElementGroup::restore(std::int32_t index, std::span<const double> record) {
-    for (auto filling = size_; filling < packs_ * pack_width; ++filling)
-        if (filling % quads_.repeat_length() == index) {
-            write(filling, record);
-            if (damage_.fields() > 0) take_out(filling);
-        }
-    return write(index, record);
-}
-
-std::span<const double> ElementGroup::write(std::int32_t index, std::span<const double> record) {
-    std::size_t at = 0;
-    for (int field = 0; field < changing_fields_; ++field) state_[slot(index, field)] = record[at++];
-    for (auto* blocks : {&packing_, &damage_})
-        for (int field = 0; field < blocks->fields(); ++field)
-            blocks->set(index / pack_width, field, index % pack_width, record[at++]);
-    hourglass_energy_[static_cast<std::size_t>(index)] = record[at++];
-    return record.subspan(at);
+void ElementGroup::fill_lanes(std::int32_t index) {
+    for (auto filling = size_; filling < packs_ * pack_width; ++filling) {
+        if (filling % quads_.repeat_length() != index) continue;
+        for (int field = 0; field < changing_fields_; ++field)
+            state_[slot(filling, field)] = state_[slot(index, field)];
+        for (auto* blocks : {&packing_, &damage_})
+            for (int field = 0; field < blocks->fields(); ++field)
+                blocks->set(filling / pack_width, field, filling % pack_width,
+                            blocks->get(index / pack_width, field, index % pack_width));
+        hourglass_energy_[static_cast<std::size_t>(filling)] =
+            hourglass_energy_[static_cast<std::size_t>(index)];
+        if (damage_.fields() > 0) take_out(filling);
+    }
 }
 
 Events::Erosion ElementGroup::erode(std::int32_t index) {

@@ -26,7 +26,7 @@ class FeatureGroup final : public ElementGroup {
 
   public:
     FeatureGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements)
-        : ElementGroup(fabric, elements, sizes),
+        : ElementGroup(fabric, elements, sizes, names()),
           constants_(fabric::constants_of(fabric)),
           coupling_at_rest_(fabric::coupling_at_rest(constants_)),
           any_yarn_(any_yarn_erodes(fabric)) {
@@ -342,7 +342,7 @@ class FeatureGroup final : public ElementGroup {
     template <Fields which>
     static void fill_from(const PackBlocks& blocks, int field, std::int32_t index,
                           fabric::State<double>& state) {
-        fabric::for_each_field<F, which>(state, [&](double& value) {
+        fabric::for_each_field<F, which>(state, [&](const char*, double& value) {
             value = blocks.get(index / pack_width, field++, index % pack_width);
         });
     }
@@ -421,6 +421,18 @@ class FeatureGroup final : public ElementGroup {
         auto left = erode(index);
         left.work -= forward * size;
         return left;
+    }
+
+    static StateNames names() {
+        const auto list = [](const auto& of) { return std::vector<const char*>(of.begin(), of.end()); };
+        StateNames names{list(fabric::field_names<F, Fields::changing>()),
+                         list(fabric::field_names<F, Fields::packing>()),
+                         {}};
+        if constexpr (F.failure) {
+            names.damage = list(fabric::field_names<F, Fields::damage>());
+            names.damage.insert(names.damage.begin() + alive_field, "alive");
+        }
+        return names;
     }
 
     static bool any_yarn_erodes(const scene::Fabric& fabric) {

@@ -78,11 +78,11 @@ struct Simulation::LedgerSums {
 void Simulation::add_nodal_energies(LedgerSums& sums) const {
     const auto& nodes = model_.nodes;
     const auto count = static_cast<std::size_t>(nodes.count);
-    const double step = (last_dt_ + dt_) / 2;
+    const double step = clock_.velocity_step();
     std::size_t n = 0;
     if (scene_.damping == 0)
         for (; n + energies_at_once <= count; n += energies_at_once) {
-            const auto energies = kinetic_energies(nodes, model_.assembly.scale(), n, step, last_dt_);
+            const auto energies = kinetic_energies(nodes, model_.assembly.scale(), n, step, clock_.last_dt);
             for (std::size_t i = 0; i < energies_at_once; ++i)
                 if (nodes.owned[n + i]) sums.add(LedgerSums::kinetic, energies[i]);
         }
@@ -90,8 +90,8 @@ void Simulation::add_nodal_energies(LedgerSums& sums) const {
         if (!nodes.owned[n]) continue;
         const Vec3 next = updated_velocity(n), acceleration = (next - nodes.v[n]) / step;
         sums.add(LedgerSums::kinetic,
-                 nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + last_dt_ * acceleration) / 2);
-        if (scene_.damping > 0) sums.add(LedgerSums::damping, damping_work(n, next, last_dt_, 0));
+                 nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + clock_.last_dt * acceleration) / 2);
+        if (scene_.damping > 0) sums.add(LedgerSums::damping, damping_work(n, next, clock_.last_dt, 0));
     }
 }
 
@@ -106,11 +106,11 @@ void Simulation::add_element_energies(LedgerSums& sums) const {
             sums.add(LedgerSums::friction, energy.friction);
         }
     }
-    sums[LedgerSums::internal] += eroded_work_;
-    sums[LedgerSums::friction] += eroded_friction_;
-    sums[LedgerSums::eroded] += eroded_hourglass_;
-    sums[LedgerSums::contact] += contact_work_;
-    sums[LedgerSums::damping] += damping_work_;
+    sums[LedgerSums::internal] += ledger_.eroded_work;
+    sums[LedgerSums::friction] += ledger_.eroded_friction;
+    sums[LedgerSums::eroded] += ledger_.eroded_hourglass;
+    sums[LedgerSums::contact] += ledger_.contact;
+    sums[LedgerSums::damping] += ledger_.damping;
     sums[LedgerSums::broken_yarns] = counts_.broken_yarns;
     sums[LedgerSums::eroded_elements] = counts_.eroded_elements;
 }
@@ -126,7 +126,7 @@ Simulation::Displacements Simulation::displacements(LedgerSums& sums) const {
             const double along_z = nodes.x[n].z() - heights[ply];
             if (!joined_.has_node(n)) {
                 largest.of_debris = std::max(largest.of_debris, std::abs(along_z));
-                sums[LedgerSums::debris_mass] += mass_scale_.from(nodes.mass[n]);
+                sums[LedgerSums::debris_mass] += ledger_.mass_scale.from(nodes.mass[n]);
                 continue;
             }
             largest.of_joined = std::max(largest.of_joined, std::abs(along_z));
@@ -138,7 +138,7 @@ Simulation::Displacements Simulation::displacements(LedgerSums& sums) const {
     return {comm_.max(largest.of_joined), comm_.max(largest.of_back_face), comm_.max(largest.of_debris)};
 }
 
-const JoinedFabric& Simulation::joined_fabric() {
+const JoinedFabric& Simulation::joined_fabric() const {
     std::array<std::int64_t, 1> broken{counts_.broken_yarns};
     comm_.sum(broken);
     if (broken[0] != joined_at_) joined_.find(model_, panel_, comm_);
@@ -154,45 +154,52 @@ void Simulation::add_projectile(Balance& balance) const {
     balance.projectile_velocity = projectile_velocity();
     balance.contact_force = projectile_force_;
     balance.kinetic_projectile =
-        scene_.projectile->mass * p.velocity.dot(p.velocity + last_dt_ * acceleration) / 2;
+        scene_.projectile->mass * p.velocity.dot(p.velocity + clock_.last_dt * acceleration) / 2;
 }
 
-void Simulation::close(Balance& balance) {
-    if (initial_energy_ > 0) {
-        const double defect = balance.total() - initial_energy_;
-        transferred_energy_ = std::max(
-            {transferred_energy_, balance.total() - balance.kinetic_projectile, resolved * energy_scale_});
-        balance.energy_error = defect / initial_energy_;
-        balance.transferred_energy = transferred_energy_;
-        balance.closure_error = defect / transferred_energy_;
-    }
-    counts_.largest_closure_error = std::max(counts_.largest_closure_error, std::abs(balance.closure_error));
-    counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, balance.contact);
-    counts_.largest_hourglass = std::max(counts_.largest_hourglass, balance.hourglass);
-    counts_.largest_internal = std::max(counts_.largest_internal, balance.internal);
-    counts_.max_displacement = std::max(counts_.max_displacement, balance.max_displacement);
-    counts_.back_face_deflection = std::max(counts_.back_face_deflection, balance.back_face_deflection);
+void Simulation::close(Balance& balance) const {
+    if (ledger_.initial_energy <= 0) return;
+    const double defect = balance.total() - ledger_.initial_energy;
+    balance.transferred_energy =
+        std::max({ledger_.transferred_energy, balance.total() - balance.kinetic_projectile,
+                  resolved * ledger_.energy_scale});
+    balance.energy_error = defect / ledger_.initial_energy;
+    balance.closure_error = defect / balance.transferred_energy;
 }
 
-Balance Simulation::balance() {
+Balance Simulation::record_balance() {
+    const auto now = balance();
+    const auto raise = [](auto& largest, auto value) { largest = std::max(largest, value); };
+    ledger_.transferred_energy = now.transferred_energy;
+    raise(counts_.largest_closure_error, std::abs(now.closure_error));
+    counts_.lowest_contact_energy = std::min(counts_.lowest_contact_energy, now.contact);
+    raise(counts_.largest_hourglass, now.hourglass);
+    raise(counts_.largest_internal, now.internal);
+    raise(counts_.max_displacement, now.max_displacement);
+    raise(counts_.back_face_deflection, now.back_face_deflection);
+    raise(counts_.inverted, now.folded_elements);
+    return now;
+}
+
+Balance Simulation::balance() const {
     static_cast<void>(joined_fabric());
     const Timed timed(seconds_, Phase::ledger);
-    LedgerSums sums{.scale = energy_};
+    LedgerSums sums{.scale = ledger_.scale};
     add_nodal_energies(sums);
     add_element_energies(sums);
     const auto largest = displacements(sums);
     comm_.sum(sums.values);
     if (sums[LedgerSums::faulty] > 0)
-        throw GuardStop(
-            fmt::format("an energy is not finite at t = {:.6g} us, step {}", time_ * 1e6, steps_));
+        throw GuardStop(fmt::format("an energy is not finite at t = {:.6g} us, step {}", clock_.time * 1e6,
+                                    clock_.steps));
 
-    const auto whole = [&](LedgerSums::Of sum) { return multiplicity_ * energy_.to(sums[sum]); };
+    const auto whole = [&](LedgerSums::Of sum) { return multiplicity_ * ledger_.scale.to(sums[sum]); };
     const auto counted = [&](LedgerSums::Of sum) {
         return static_cast<std::int64_t>(multiplicity_) * sums[sum];
     };
     Balance balance;
-    balance.time = time_;
-    balance.time_step = dt_;
+    balance.time = clock_.time;
+    balance.time_step = clock_.dt;
     balance.kinetic_fabric = whole(LedgerSums::kinetic);
     balance.internal = whole(LedgerSums::internal);
     balance.hourglass = whole(LedgerSums::hourglass);
@@ -203,14 +210,14 @@ Balance Simulation::balance() {
     balance.broken_yarns = counted(LedgerSums::broken_yarns);
     balance.eroded_elements = counted(LedgerSums::eroded_elements);
     balance.debris_elements = counted(LedgerSums::debris_elements);
-    balance.debris_mass = multiplicity_ * mass_scale_.to(sums[LedgerSums::debris_mass]);
+    balance.debris_mass = multiplicity_ * ledger_.mass_scale.to(sums[LedgerSums::debris_mass]);
     balance.max_displacement = largest.of_joined;
     balance.back_face_deflection = largest.of_back_face;
     balance.debris_displacement = largest.of_debris;
     balance.deepest = deepest();
     add_projectile(balance);
     close(balance);
-    counts_.inverted = std::max(counts_.inverted, counted(LedgerSums::folded));
+    balance.folded_elements = counted(LedgerSums::folded);
     return balance;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "free_edges.hpp"
 #include "misses.hpp"
@@ -99,26 +100,28 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
     counts_.first_break.assign(panel_.plies.size(), std::numeric_limits<double>::max());
     if (model_.projectile) {
         initial_projectile_ = model_.projectile->position;
-        initial_energy_ = scene.projectile->mass * model_.projectile->velocity.squaredNorm() / 2;
+        ledger_.initial_energy = scene.projectile->mass * model_.projectile->velocity.squaredNorm() / 2;
         // A heavy projectile keeps most of its energy: the sums resolve what it can hand over.
-        energy_scale_ =
-            std::min(initial_energy_, most_energy_of_target(scene, model_.projectile->velocity.norm()));
+        ledger_.energy_scale = std::min(ledger_.initial_energy,
+                                        most_energy_of_target(scene, model_.projectile->velocity.norm()));
     }
     list_supports();
-    energy_ = parallel::FixedPoint(energy_scale_ > 0 ? energy_scale_ : 1);
-    mass_scale_ = parallel::FixedPoint(mass_of(scene));
+    ledger_.scale = parallel::FixedPoint(ledger_.energy_scale > 0 ? ledger_.energy_scale : 1);
+    ledger_.mass_scale = parallel::FixedPoint(mass_of(scene));
     adapt_time_step();
     update_candidates();
     seconds_ = {};  // phases are those of the steps
 }
 
 void Simulation::advance_forces() {
+    step_ = {};
     model_.assembly.start(model_.nodes.force);
     advance_elements();
     evaluate_contact();
-    sum_over_ranks();
+    agree_on_step();
+    apply_agreement();
     hold_supports();
-    if (steps_ >= next_check_ || step_check_due_) adapt_time_step();
+    if (clock_.steps >= next_check_ || step_.check_due > 0) adapt_time_step();
     look_for_passages();
 }
 
@@ -126,11 +129,11 @@ void Simulation::integrate() {
     {
         const Timed timed(seconds_, Phase::integrate);
         move_nodes();
-        count_contact_work(dt_);
+        count_contact_work(clock_.dt);
         for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
         just_eroded_.clear();
     }
-    if (candidates_outdated_) update_candidates();
+    if (search_.is_outdated) update_candidates();
 }
 
 void Simulation::redistribute(const partition::Decomposition& decomposition) {
@@ -138,13 +141,18 @@ void Simulation::redistribute(const partition::Decomposition& decomposition) {
         const Timed timed(seconds_, Phase::halo);
         model_ = solver::redistribute(scene_, panel_, decomposition, model_, comm_);
         model_.exchange.use(comm_, shared_memory_);
-        for (const auto& group : model_.groups) group->set_time_step(dt_);
-        step_bound_.set_triggers(model_);
-        contact_.clear();
-        list_supports();
-        joined_at_ = -1;
+        follow_model();
     }
     update_candidates();
+}
+
+/// What depends on the elements and nodes that this rank holds.
+void Simulation::follow_model() {
+    for (const auto& group : model_.groups) group->set_time_step(clock_.dt);
+    step_bound_.set_triggers(model_);
+    contact_.clear();
+    list_supports();
+    joined_at_ = -1;
 }
 
 void Simulation::advance_elements() {
@@ -165,23 +173,16 @@ void Simulation::record_events(const shell::Events& events) {
     for (const auto element : events.broken) {
         auto& first = counts_.first_break[static_cast<std::size_t>(
             model_.surface.facets[static_cast<std::size_t>(element)].ply)];
-        first = std::min(first, time_);
+        first = std::min(first, clock_.time);
     }
-    for (const double lost : events.lost_hourglass) add_energy(eroded_hourglass_, lost);
+    for (const double lost : events.lost_hourglass) ledger_.add(ledger_.eroded_hourglass, lost);
     for (const auto& erosion : events.eroded) {
         just_eroded_.push_back(erosion.element);
         model_.eroded.emplace(erosion.element, model_.output(erosion.element));
-        add_energy(eroded_work_, erosion.work);
-        add_energy(eroded_friction_, erosion.friction);
-        add_energy(eroded_hourglass_, erosion.hourglass);
+        ledger_.add(ledger_.eroded_work, erosion.work);
+        ledger_.add(ledger_.eroded_friction, erosion.friction);
+        ledger_.add(ledger_.eroded_hourglass, erosion.hourglass);
     }
-}
-
-void Simulation::add_energy(std::int64_t& sum, double energy) {
-    if (energy_.fits(energy))
-        sum += energy_.from(energy);
-    else
-        faulty_energy_ = true;
 }
 
 void Simulation::evaluate_contact() {
@@ -189,35 +190,34 @@ void Simulation::evaluate_contact() {
     const auto& nodes = model_.nodes;
     auto& normals = model_.normals;
     contact_.clear();
-    on_projectile_ = {};
     normals.new_positions();
     const auto share = [&](ContactKind kind) { return sliding_[kind].share(); };
     if (model_.projectile_contact)
         model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile,
-                                            last_dt_, share(of_projectile), contact_);
+                                            clock_.last_dt, share(of_projectile), contact_);
     book_sliding(of_projectile);
     if (model_.ply_contact)
-        model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_plies),
-                                     contact_);
+        model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, clock_.last_dt,
+                                     share(of_plies), contact_);
     book_sliding(of_plies);
     if (model_.frame_contact)
-        model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, last_dt_, share(of_frame),
-                                       contact_);
+        model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, clock_.last_dt,
+                                       share(of_frame), contact_);
     book_sliding(of_frame);
     for (const auto& pair : contact_.pairs)
-        model_.assembly.add_pair(pair, model_.nodes.force, on_projectile_);
+        model_.assembly.add_pair(pair, model_.nodes.force, step_.projectile_force);
     if (model_.projectile_on_frame)
-        frame_force_ = without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, last_dt_));
-    count_contact_work(last_dt_);
-    contact_.deepest.time = time_;
+        frame_force_ =
+            without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, clock_.last_dt));
+    count_contact_work(clock_.last_dt);
+    contact_.deepest.time = clock_.time;
     counts_.deepest.include(contact_.deepest);
 }
 
 void Simulation::book_sliding(ContactKind kind) {
-    sliding_released_[kind] = sliding_wanted_[kind] = 0;
     for (const auto& facet : contact_.sliding) {
-        add_energy(sliding_released_[kind], facet.released - facet.taken);
-        add_energy(sliding_wanted_[kind], facet.wanted);
+        ledger_.add(step_.sliding_released[kind], facet.released - facet.taken);
+        ledger_.add(step_.sliding_wanted[kind], facet.wanted);
     }
     contact_.sliding.clear();
 }
@@ -232,57 +232,42 @@ void Simulation::count_contact_work(double dt) {
             if (pair.kind == contact::Master::facet)
                 power += pair.on_master[a].dot(v[static_cast<std::size_t>(pair.master[a])]);
         }
-        add_energy(contact_work_, -power * dt / 2);
+        ledger_.add(ledger_.contact, -power * dt / 2);
     }
     if (frame_force_ != Vec3::Zero() &&
         comm_.rank() == 0)  // of the whole target, which the ledger has from its part
-        add_energy(contact_work_, -frame_force_.dot(model_.projectile->velocity) * dt / 2 / multiplicity_);
+        ledger_.add(ledger_.contact, -frame_force_.dot(model_.projectile->velocity) * dt / 2 / multiplicity_);
 }
 
-void Simulation::sum_over_ranks() {
+/// Sums nodal forces and what the ranks have to agree on.
+void Simulation::agree_on_step() {
     const Timed timed(seconds_, Phase::halo);
     model_.exchange.start(comm_, model_.nodes.force);
-    const bool faulty =
-        model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || faulty_energy_;
-    const bool stiffened =
-        std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
-    enum Sum : std::size_t {
-        x,
-        y,
-        z,
-        eroded,
-        left,
-        stiff,
-        stop,
-        fault,
-        released,
-        wanted = released + contact_kinds,
-        size = wanted + contact_kinds
-    };
-    std::array<std::int64_t, size> sums{
-        on_projectile_[0],      on_projectile_[1],
-        on_projectile_[2],      static_cast<std::int64_t>(just_eroded_.size()),
-        moved_far() ? 1 : 0,    stiffened ? 1 : 0,
-        is_stop_asked_ ? 1 : 0, faulty ? 1 : 0};
-    std::ranges::copy(sliding_released_, sums.begin() + released);
-    std::ranges::copy(sliding_wanted_, sums.begin() + wanted);
-    comm_.sum(sums);
-    for (std::size_t kind = 0; kind < contact_kinds; ++kind)
-        sliding_[kind].book(sums[released + kind], sums[wanted + kind]);
+    const auto has_stiffened = [](const auto& group) { return group->has_stiffened(); };
+    step_.eroded = static_cast<std::int64_t>(just_eroded_.size());
+    step_.left_skin = moved_far() ? 1 : 0;
+    step_.check_due = std::ranges::any_of(model_.groups, has_stiffened) ? 1 : 0;
+    step_.stop = stop_requested_ ? 1 : 0;
+    step_.checkpoint = std::exchange(checkpoint_requested_, false) ? 1 : 0;
+    step_.fault =
+        model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || ledger_.is_faulty;
+    comm_.sum(step_.integers());
     model_.exchange.finish(model_.nodes.force);
-    projectile_force_ =
-        without_mirrored(multiplicity_ * model_.assembly.value({sums[x], sums[y], sums[z]})) + frame_force_;
-    if (projectile_force_ != Vec3::Zero()) counts_.touched = true, counts_.last_touched = time_;
-    any_eroded_ = any_eroded_ || sums[eroded] > 0;
-    candidates_outdated_ = sums[eroded] > 0 || sums[left] > 0;
-    step_check_due_ = sums[stiff] > 0;
-    is_stop_agreed_ = sums[stop] > 0;
-    if (sums[fault] > 0) {
-        // What is shown is the state before these forces.
-        std::ranges::fill(model_.nodes.force, FixedVector{});
-        projectile_force_.setZero();
-        stop_at_fault();
-    }
+}
+
+void Simulation::apply_agreement() {
+    for (std::size_t kind = 0; kind < contact_kinds; ++kind)
+        sliding_[kind].book(step_.sliding_released[kind], step_.sliding_wanted[kind]);
+    const Vec3 on_part = model_.assembly.value(step_.projectile_force);
+    projectile_force_ = without_mirrored(multiplicity_ * on_part) + frame_force_;
+    if (projectile_force_ != Vec3::Zero()) counts_.touched = true, counts_.last_touched = clock_.time;
+    search_.any_eroded = search_.any_eroded || step_.eroded > 0;
+    search_.is_outdated = step_.eroded > 0 || step_.left_skin > 0;
+    if (step_.fault == 0) return;
+    // The state before these forces is shown.
+    std::ranges::fill(model_.nodes.force, FixedVector{});
+    projectile_force_.setZero();
+    stop_at_fault();
 }
 
 void Simulation::stop_at_fault() const {
@@ -297,7 +282,7 @@ void Simulation::stop_at_fault() const {
         fmt::format("the force of {} is not finite or above {:.3g} N at t = {:.6g} us, step {}: the "
                     "deformation has become unstable; "
                     "try a smaller time.safety",
-                    where, limit, time_ * 1e6, steps_));
+                    where, limit, clock_.time * 1e6, clock_.steps));
 }
 
 Vec3 Simulation::without_mirrored(Vec3 force) const {
@@ -310,13 +295,14 @@ void Simulation::adapt_time_step() {
     const Timed timed(seconds_, Phase::elements);
     const double omega_squared = step_bound_.frequency_squared(model_, contact_.pairs, comm_);
     step_bound_.set_triggers(model_);
-    next_check_ = steps_ + step_bound_.steps_to_next();
+    next_check_ = clock_.steps + step_bound_.steps_to_next();
     const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);
     if (!(bound > 0))
-        throw GuardStop(fmt::format("the time step vanished at t = {:.6g} us, step {}", time_ * 1e6, steps_));
-    if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
-    dt_ = bound;
-    for (const auto& group : model_.groups) group->set_time_step(dt_);
+        throw GuardStop(
+            fmt::format("the time step vanished at t = {:.6g} us, step {}", clock_.time * 1e6, clock_.steps));
+    if (clock_.dt > 0 && clock_.dt <= bound && bound < worth_raising * clock_.dt) return;
+    clock_.dt = bound;
+    for (const auto& group : model_.groups) group->set_time_step(clock_.dt);
 }
 
 void Simulation::list_supports() {
@@ -337,32 +323,30 @@ void Simulation::move_nodes() {
         for (std::size_t n = 0; n < nodes.x.size(); ++n) {
             const Vec3 next = updated_velocity(n);
             if (n < nodes.owned.size() && nodes.owned[n])
-                add_energy(damping_work_, damping_work(n, next, last_dt_, dt_));
+                ledger_.add(ledger_.damping, damping_work(n, next, clock_.last_dt, clock_.dt));
             nodes.v[n] = next;
-            nodes.x[n] += dt_ * next;
+            nodes.x[n] += clock_.dt * next;
         }
     } else {
-        move_freely(nodes, model_.assembly.scale(), (last_dt_ + dt_) / 2, dt_);
+        move_freely(nodes, model_.assembly.scale(), clock_.velocity_step(), clock_.dt);
     }
     if (model_.projectile) {
-        model_.projectile->velocity += (last_dt_ + dt_) / 2 / scene_.projectile->mass * projectile_force_;
-        model_.projectile->position += dt_ * model_.projectile->velocity;
+        model_.projectile->velocity += clock_.velocity_step() / scene_.projectile->mass * projectile_force_;
+        model_.projectile->position += clock_.dt * model_.projectile->velocity;
     }
-    time_ += dt_;
+    clock_.advance();
     if (model_.projectile && !counts_.turned_back && model_.projectile->velocity.z() <= 0)
-        counts_.turned_back = time_;
-    last_dt_ = dt_;
-    ++steps_;
+        counts_.turned_back = clock_.time;
 }
 
 void Simulation::look_for_passages() {
-    if (!model_.projectile_contact || steps_ % steps_between_passages != 0 || passages_.all()) return;
+    if (!model_.projectile_contact || clock_.steps % steps_between_passages != 0 || passages_.all()) return;
     const auto& projectile = *scene_.projectile;
     const double length = projectile.shape == scene::Shape::sphere ? projectile.diameter : projectile.length;
     const Vec3 middle = model_.projectile->position - Vec3(0, 0, length / 2);
     if (middle.z() <= 0) return;  // in front of the first ply as it was
-    passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, projectile.diameter / 2, time_,
-                   comm_);
+    passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, projectile.diameter / 2,
+                   clock_.time, comm_);
 }
 
 contact::Deepest Simulation::deepest() const { return deepest_of_all(counts_.deepest, comm_); }
@@ -370,37 +354,38 @@ contact::Deepest Simulation::deepest() const { return deepest_of_all(counts_.dee
 CrossedElements Simulation::crossed_elements() const { return elements_behind_whole_plies(model_, comm_); }
 
 bool Simulation::moved_far() const {
-    if (swept_nodes_.empty()) return false;
+    if (search_.nodes.empty()) return false;
     const double margin = model_.smallest_edge * skin_in_edges * (0.5 - kept_of_skin);
-    return swept_nodes_.any_outside(model_.nodes.own_x(), margin) ||
+    return search_.nodes.any_outside(model_.nodes.own_x(), margin) ||
            (model_.projectile_contact &&
-            swept_projectile_.any_outside({&model_.projectile->position, 1}, margin));
+            search_.projectile.any_outside({&model_.projectile->position, 1}, margin));
 }
 
 void Simulation::update_candidates() {
-    candidates_outdated_ = false;
+    search_.is_outdated = false;
     if (!model_.projectile_contact && !model_.ply_contact && !model_.frame_contact) return;
     const Timed timed(seconds_, Phase::search);
     ++counts_.searches;
-    const double skin = skin_in_edges * model_.smallest_edge, ahead = steps_ahead * dt_;
+    const double skin = skin_in_edges * model_.smallest_edge, ahead = steps_ahead * clock_.dt;
     auto& nodes = model_.nodes;
-    swept_nodes_ = contact::SweptBounds(nodes.x, nodes.v, ahead);
-    if (any_eroded_) find_free_edges(comm_, panel_, model_);
+    search_.nodes = contact::SweptBounds(nodes.x, nodes.v, ahead);
+    if (search_.any_eroded) find_free_edges(comm_, panel_, model_);
     const double reach = ghost_reach(scene_, panel_), spare = ghost_spare_in_edges * panel_.smallest_edge();
-    if (reach > 0 && model_.ghosts.renew(comm_, model_.halo, swept_nodes_, reach, spare, model_.surface,
+    if (reach > 0 && model_.ghosts.renew(comm_, model_.halo, search_.nodes, reach, spare, model_.surface,
                                          nodes, model_.exchange)) {
         model_.exchange.use(comm_, shared_memory_);
-        swept_nodes_ = contact::SweptBounds(nodes.x, nodes.v, ahead);
+        search_.nodes = contact::SweptBounds(nodes.x, nodes.v, ahead);
         list_supports();
         model_.normals.rebuild(model_.surface, nodes.x.size());
     }
     if (model_.ply_contact)
-        model_.ply_contact->update_candidates(model_.surface, swept_nodes_, nodes.x, skin);
+        model_.ply_contact->update_candidates(model_.surface, search_.nodes, nodes.x, skin);
     if (model_.projectile_contact) {
         auto& projectile = *model_.projectile;
-        swept_projectile_ = contact::SweptBounds({&projectile.position, 1}, {&projectile.velocity, 1}, ahead);
-        model_.projectile_contact->update_candidates(model_.surface, swept_nodes_,
-                                                     swept_projectile_.of_node(0), skin);
+        search_.projectile =
+            contact::SweptBounds({&projectile.position, 1}, {&projectile.velocity, 1}, ahead);
+        model_.projectile_contact->update_candidates(model_.surface, search_.nodes,
+                                                     search_.projectile.of_node(0), skin);
     }
     release_debris_nodes();
 }
@@ -412,18 +397,18 @@ void Simulation::release_debris_nodes() {
         if (surface.alive[f])
             for (const auto node : surface.facets[f].nodes) in_fabric[static_cast<std::size_t>(node)] = true;
     for (std::size_t n = 0; n < in_fabric.size(); ++n)
-        if (!in_fabric[n]) swept_nodes_.ignore(n);
+        if (!in_fabric[n]) search_.nodes.ignore(n);
 }
 
 Vec3 Simulation::velocity(std::size_t node) const {
     const Vec3 &v = model_.nodes.v[node],
-               acceleration = (updated_velocity(node) - v) / ((last_dt_ + dt_) / 2);
-    return v + last_dt_ / 2 * acceleration;
+               acceleration = (updated_velocity(node) - v) / (clock_.velocity_step());
+    return v + clock_.last_dt / 2 * acceleration;
 }
 
 Vec3 Simulation::projectile_velocity() const {
     const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
-    return model_.projectile->velocity + last_dt_ / 2 * acceleration;
+    return model_.projectile->velocity + clock_.last_dt / 2 * acceleration;
 }
 
 }  // namespace weavefront::solver

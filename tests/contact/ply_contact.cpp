@@ -9,6 +9,7 @@
 
 #include "surfaces.hpp"
 #include "weavefront/contact/contact_distances.hpp"
+#include "weavefront/state/record.hpp"
 
 namespace weavefront::test {
 namespace {
@@ -190,8 +191,10 @@ TEST(PlyContact, WaitingChangesNoBit) {
             PlyContact next(law, 0.25e-3, plies.surface, motion.X);
             for (std::int32_t f = 0; f < plies.surface.owned; ++f) {
                 std::vector<double> record;
-                anew.save(f, record);
-                next.restore(f, record);
+                state::RecordWriter writer(record);
+                anew.state(writer, f);
+                state::RecordReader reader(record);
+                next.state(reader, f);
             }
             anew = std::move(next);
             anew.update_candidates(plies.surface, contact::SweptBounds(plies.x), plies.x, skin);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "elements.hpp"
+#include "weavefront/state/record.hpp"
 
 namespace weavefront::test {
 namespace {
@@ -178,8 +179,10 @@ TEST(CriticalFrequency, IsThatOfElementsRestoredElsewhere) {
     for (int i = 0; i <= 20; ++i) there.nodal_forces(stretched(0.005 * i));
     for (std::int32_t e = 0; e < there.group->size(); ++e) {
         std::vector<double> record;
-        there.group->save(e, record);
-        here.group->restore(e, record);
+        state::RecordWriter writer(record);
+        there.group->state(writer, e);
+        state::RecordReader reader(record);
+        here.group->state(reader, e);
     }
     for (auto* elements : {&there, &here}) elements->nodal_forces(stretched(0.09));
     EXPECT_EQ(there.group->frequencies().in_plane, here.group->frequencies().in_plane);

@@ -11,7 +11,7 @@ TEST(FoldedElements, AreCountedWithEveryRow) {
     Simulation simulation(scene_with({}), comm);
     simulation.advance_forces();
     const auto counted = [&] {
-        static_cast<void>(simulation.balance());
+        static_cast<void>(simulation.record_balance());
         return simulation.counts().inverted;
     };
     EXPECT_EQ(counted(), 0);

@@ -10,6 +10,7 @@
 
 #include "small_scene.hpp"
 #include "weavefront/solver/guard.hpp"
+#include "weavefront/state/record.hpp"
 
 namespace weavefront::solver::test {
 namespace {
@@ -158,9 +159,11 @@ TEST_F(Frames, ShowTheStateBeforeAForceThatIsNotFinite) {
     advance(simulation, 40);
     auto& group = *simulation.model().groups[0];
     std::vector<double> record;
-    group.save(0, record);
+    state::RecordWriter writer(record);
+    group.state(writer, 0);
     for (auto& value : record) value = std::numeric_limits<double>::quiet_NaN();
-    group.restore(0, record);
+    state::RecordReader reader(record);
+    group.state(reader, 0);
     EXPECT_THROW(simulation.advance_forces(), GuardStop);
     const auto& nodes = simulation.model().nodes;
     const auto shown = velocities_of(simulation);
@@ -177,7 +180,7 @@ TEST_F(Frames, AreTheLastOnesWhereARankAsksToStop) {
     advance(simulation, 5);
     advance(other, 5);
     EXPECT_FALSE(simulation.is_stop_agreed());
-    if (comm_.rank() == comm_.size() - 1) simulation.ask_to_stop();
+    if (comm_.rank() == comm_.size() - 1) simulation.request_stop();
     EXPECT_FALSE(simulation.is_stop_agreed());
     simulation.advance_forces();
     other.advance_forces();

@@ -28,7 +28,7 @@ Run compute(const std::vector<std::string>& overrides, double end, const paralle
                 simulation.integrate();
                 continue;
             }
-            const auto balance = simulation.balance();
+            const auto balance = simulation.record_balance();
             run.deflection = balance.back_face_deflection;
             run.peak = std::max(run.peak, run.deflection);
             if (is_settled(simulation, balance)) run.settled_at = simulation.time();
@@ -113,11 +113,11 @@ TEST(Penetration, IsThatOfTheDeepestPointWithItsPlace) {
                                       "fabrics.kevlar129.contact_thickness=0.2 mm"}),
                           comm);
     simulation.advance_forces();
-    EXPECT_EQ(simulation.balance().deepest.element, -1);
+    EXPECT_EQ(simulation.record_balance().deepest.element, -1);
     simulation.integrate();
     simulation.model().projectile->position.z() = 0.03e-3;
     simulation.advance_forces();
-    const auto deepest = simulation.balance().deepest;
+    const auto deepest = simulation.record_balance().deepest;
     EXPECT_NEAR(deepest.overlap, 0.13e-3, 1e-9);  // half of the thickness more
     EXPECT_NEAR(deepest.in_thicknesses, 0.65, 1e-5);
     EXPECT_LT((deepest.place.head<2>() - Vec3(1e-3, -1e-3, 0).head<2>()).norm(), 1.5e-3);
@@ -125,7 +125,7 @@ TEST(Penetration, IsThatOfTheDeepestPointWithItsPlace) {
     simulation.integrate();
     simulation.model().projectile->position.z() = -5e-3;
     simulation.advance_forces();
-    EXPECT_EQ(simulation.balance().deepest.overlap, deepest.overlap)
+    EXPECT_EQ(simulation.record_balance().deepest.overlap, deepest.overlap)
         << "it stays when the projectile has gone";
 }
 

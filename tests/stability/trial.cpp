@@ -62,7 +62,7 @@ class GuardedRun {
 
   private:
     void look() {
-        const auto row = simulation_.balance();
+        const auto row = simulation_.record_balance();
         if (simulation_.steps() == 0) initial_ = row.total();
         turnover_ = std::max({turnover_, row.total() - row.kinetic_projectile, 0x1p-20 * initial_});
         const double error = (row.total() - initial_) / turnover_;

@@ -31,14 +31,20 @@ class FrameContact {
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
                   std::span<const Vec3> v, double dt, double sliding_share, ContactForces& forces);
 
-    /// Memory of the points of an owned facet, to be taken up on another rank.
-    void save(std::int32_t facet, std::vector<double>& record) const;
-    /// @param record of `save`, with anything after it. @return what comes after it
-    std::span<const double> restore(std::int32_t facet, std::span<const double> record);
+    /// State of an owned facet.
+    template <class Archive>
+    void state(Archive& archive, std::int32_t facet) {
+        facet_state(archive, memories_, facet);
+    }
 
   private:
     struct Point {
         Penetration penetration;
+
+        template <class Archive>
+        void state(Archive& archive) {
+            penetration.state(archive);
+        }
     };
     std::vector<FrameShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;    ///< by ply

@@ -20,6 +20,13 @@ struct Penetration {
 
     /// The penetration g that presses, m.
     [[nodiscard]] double present() const { return overlap - ignored; }
+
+    template <class Archive>
+    void state(Archive& archive) {
+        archive("overlap", overlap);
+        archive("ignored", ignored);
+        archive("opened", opened);
+    }
 };
 
 /// What the points of a batch remember.

@@ -56,10 +56,23 @@ class PlyContact {
 
     /// Whether any point of an owned facet remembers a penetration.
     [[nodiscard]] bool touches(std::int32_t facet) const { return memory_.holds(facet); }
-    /// Memory of the points of an owned facet, to be taken up on another rank.
-    void save(std::int32_t facet, std::vector<double>& record) const;
-    /// @param record of `save`, with anything after it. @return what comes after it
-    std::span<const double> restore(std::int32_t facet, std::span<const double> record);
+    /// State of an owned facet.
+    template <class Archive>
+    void state(Archive& archive, std::int32_t facet) {
+        auto& budget = dissipated_budgets_[static_cast<std::size_t>(facet)];
+        if (archive.size("dissipated_budget", budget != 0 ? 1 : 0) > 0) archive("dissipated_budget", budget);
+        constexpr std::size_t lanes = most_batches * batch_width;
+        if (archive.size("overlap", memory_.holds(facet) ? lanes : 0) == 0) return;
+        FacetPoints points = memory_.recall(facet);
+        for (auto& batch : points)
+            for (std::size_t i = 0; i < batch_width; ++i) {
+                Penetration point{batch.overlap[i], batch.ignored[i], batch.opened[i]};
+                point.state(archive);
+                batch.overlap[i] = point.overlap, batch.ignored[i] = point.ignored,
+                batch.opened[i] = point.opened;
+            }
+        if constexpr (Archive::reads) memory_.keep(facet, points);
+    }
 
   private:
     /// What a facet waits for while it touches nothing.

@@ -52,15 +52,24 @@ class ProjectileContact {
         const auto* memory = memories_.find(facet);
         return memory && !memory->points.empty();
     }
-    /// Memory of the points of an owned facet, to be taken up on another rank.
-    void save(std::int32_t facet, std::vector<double>& record) const;
-    /// @param record of `save`, with anything after it. @return what comes after it
-    std::span<const double> restore(std::int32_t facet, std::span<const double> record);
+    /// State of an owned facet.
+    template <class Archive>
+    void state(Archive& archive, std::int32_t facet) {
+        facet_state(archive, memories_, facet);
+    }
 
   private:
     struct Point {
         Penetration penetration;
         Side side = Side::none;
+
+        template <class Archive>
+        void state(Archive& archive) {
+            penetration.state(archive);
+            auto number = static_cast<double>(side);
+            archive("side", number);
+            side = static_cast<Side>(number);
+        }
     };
 
     std::vector<ProjectileShape> shapes_;  ///< by ply: inflated by its thickness

@@ -3,6 +3,8 @@
 /// Contact between the projectile and the frame, two rigid bodies.
 
 #include <array>
+#include <string_view>
+#include <vector>
 
 #include "weavefront/contact/frame.hpp"
 #include "weavefront/contact/penalty.hpp"
@@ -24,6 +26,19 @@ class ProjectileOnFrame {
     /// Force on the projectile at its present position, N.
     /// @param dt the last step, s
     [[nodiscard]] Vec3 evaluate(const ProjectileState& projectile, double dt);
+
+    /// Penetrations of the four bars, one after the other.
+    template <class Archive>
+    void state(Archive& archive, std::string_view name) {
+        std::vector<double> all;
+        for (const auto& [axis, outward, p] : bars_) all.insert(all.end(), {p.overlap, p.ignored, p.opened});
+        archive(name, all);
+        auto next = all.begin();
+        for (auto& bar : bars_) {
+            bar.penetration = {next[0], next[1], next[2]};
+            next += 3;
+        }
+    }
 
   private:
     struct Bar {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -105,33 +104,20 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
     if (sliding.is_any()) forces.sliding.push_back(sliding.times(pair.area));
 }
 
-/// Appends the memory of a facet for another rank: its dissipated budget (J/m2) and the penetrations of its
-/// points.
-template <class Point>
-void save_points(const RigidMemory<Point>& memory, std::vector<double>& record) {
-    record.insert(record.end(), {memory.dissipated_budget, static_cast<double>(memory.points.size())});
-    for (const auto& [overlap, ignored, opened] : memory.points | std::views::transform(&Point::penetration))
-        record.insert(record.end(), {overlap, ignored, opened});
-}
-
-/// Takes up what another rank remembered of a facet, if anything.
-template <class Point>
-void keep(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet, RigidMemory<Point> memory) {
-    if (memory.dissipated_budget != 0 || !memory.points.empty()) memories.take(facet) = std::move(memory);
-}
-
-/// Reads what save_points wrote. @return what comes after it
-template <class Point>
-std::span<const double> restore_points(RigidMemory<Point>& memory, std::span<const double> record) {
-    auto next = record.begin();
-    memory.dissipated_budget = *next++;
-    memory.points.resize(static_cast<std::size_t>(*next++));
-    for (auto& point : memory.points) {
-        point.penetration.overlap = *next++;
-        point.penetration.ignored = *next++;
-        point.penetration.opened = *next++;
+/// State of a facet that remembers a rigid body: its dissipated budget (J/m2) and its points, each by its own
+/// `state`. A facet without either has none.
+template <class Archive, class Point>
+void facet_state(Archive& archive, FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet) {
+    auto* memory = memories.find(facet);
+    const auto budgets = archive.size("dissipated_budget", memory && memory->dissipated_budget != 0 ? 1 : 0);
+    const auto points = archive.size("overlap", memory ? memory->points.size() : 0);
+    if (budgets + points == 0) return;
+    if constexpr (Archive::reads) {
+        memory = &memories.take(facet);
+        memory->points.resize(points);
     }
-    return {next, record.end()};
+    if (budgets > 0) archive("dissipated_budget", memory->dissipated_budget);
+    for (auto& point : memory->points) point.state(archive);
 }
 
 }  // namespace weavefront::contact

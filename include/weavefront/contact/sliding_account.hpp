@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 namespace weavefront::contact {
 
@@ -24,6 +25,12 @@ class SlidingAccount {
     void book(std::int64_t released, std::int64_t wanted) {
         balance_ += released;
         wanted_ = wanted;
+    }
+
+    template <class Archive>
+    void state(Archive& archive, const std::string& name) {
+        archive(name + "/balance", balance_);
+        archive(name + "/wanted", wanted_);
     }
 
   private:

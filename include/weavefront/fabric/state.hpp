@@ -2,6 +2,9 @@
 /// @file
 /// The state of a material point (or of eight) and how it is stored.
 
+#include <array>
+#include <cstddef>
+
 #include "weavefront/fabric/constants.hpp"
 #include "weavefront/fabric/real.hpp"
 
@@ -42,26 +45,37 @@ enum class Fields {
     damage     ///< nothing but ones as long as no yarn is broken
 };
 
-/// Calls `visit` with each field of `state` that F needs, in the order in which they are stored.
+/// Calls `visit` with the name and the value of each field of `state` that F needs, in the order in which
+/// they are stored.
 template <Features F, Fields which = Fields::all, class AnyState, class Visit>
 WEAVEFRONT_INLINE constexpr void for_each_field(AnyState& state, Visit visit) {
-    const auto all_of = [&visit](auto&... fields) __attribute__((always_inline)) { (visit(fields), ...); };
     constexpr bool all = which == Fields::all;
     if constexpr (all || which == Fields::changing) {
-        all_of(state.lambda_f, state.lambda_w, state.N_f, state.N_w, state.work);
-        if constexpr (F.follows_angle()) all_of(state.cos_2theta, state.phi);
-        if constexpr (F.crimp) all_of(state.h_f);
-        if constexpr (F.viscous) all_of(state.sigma_f, state.sigma_w);
-        if constexpr (F.paper()) all_of(state.m);
-        if constexpr (F.paper() && F.lateral)
-            all_of(state.alpha, state.sigma_22_f, state.sigma_12_f, state.sigma_22_w, state.sigma_12_w);
-        if constexpr (F.friction) all_of(state.friction_work);
-        if constexpr (F.friction && !F.paper()) all_of(state.friction_moment, state.friction_limit);
-        if constexpr (F.friction && F.paper()) all_of(state.friction_stretch, state.friction_turn);
+        visit("lambda_f", state.lambda_f), visit("lambda_w", state.lambda_w);
+        visit("N_f", state.N_f), visit("N_w", state.N_w), visit("work", state.work);
+        if constexpr (F.follows_angle()) visit("cos_2theta", state.cos_2theta), visit("phi", state.phi);
+        if constexpr (F.crimp) visit("h_f", state.h_f);
+        if constexpr (F.viscous) visit("sigma_f", state.sigma_f), visit("sigma_w", state.sigma_w);
+        if constexpr (F.paper()) visit("m", state.m);
+        if constexpr (F.paper() && F.lateral) {
+            visit("alpha", state.alpha);
+            visit("sigma_22_f", state.sigma_22_f), visit("sigma_12_f", state.sigma_12_f);
+            visit("sigma_22_w", state.sigma_22_w), visit("sigma_12_w", state.sigma_12_w);
+        }
+        if constexpr (F.friction) visit("friction_work", state.friction_work);
+        if constexpr (F.friction && !F.paper()) {
+            visit("friction_moment", state.friction_moment), visit("friction_limit", state.friction_limit);
+        }
+        if constexpr (F.friction && F.paper()) {
+            visit("friction_stretch", state.friction_stretch), visit("friction_turn", state.friction_turn);
+        }
     }
-    if constexpr ((all || which == Fields::packing) && F.lateral && !F.paper())
-        all_of(state.alpha, state.p_f, state.p_w, state.q, state.m);
-    if constexpr ((all || which == Fields::damage) && F.failure) all_of(state.intact_f, state.intact_w);
+    if constexpr ((all || which == Fields::packing) && F.lateral && !F.paper()) {
+        visit("alpha", state.alpha), visit("p_f", state.p_f), visit("p_w", state.p_w);
+        visit("q", state.q), visit("m", state.m);
+    }
+    if constexpr ((all || which == Fields::damage) && F.failure)
+        visit("intact_f", state.intact_f), visit("intact_w", state.intact_w);
 }
 
 /// Number of Reals that the stored fields of F take.
@@ -69,8 +83,18 @@ template <Features F, Fields which = Fields::all>
 [[nodiscard]] constexpr int state_size() {
     int size = 0;
     State<double> state;
-    for_each_field<F, which>(state, [&size](double&) { ++size; });
+    for_each_field<F, which>(state, [&size](const char*, double&) { ++size; });
     return size;
+}
+
+/// Names of these fields, in the order in which they are stored.
+template <Features F, Fields which = Fields::all>
+[[nodiscard]] std::array<const char*, static_cast<std::size_t>(state_size<F, which>())> field_names() {
+    std::array<const char*, static_cast<std::size_t>(state_size<F, which>())> names{};
+    State<double> state;
+    std::size_t next = 0;
+    for_each_field<F, which>(state, [&](const char* name, double&) { names[next++] = name; });
+    return names;
 }
 
 /// Reads fields into a state.
@@ -79,7 +103,7 @@ template <Features F, Fields which = Fields::all>
 template <Features F, class Real, Fields which = Fields::all>
 WEAVEFRONT_INLINE void load_fields(State<Real>& state, const double* from) {
     for_each_field<F, which>(
-        state, [&from](Real & field) __attribute__((always_inline)) {
+        state, [&from](const char*, Real& field) __attribute__((always_inline)) {
             field = RealTraits<Real>::load(from);
             from += width<Real>;
         });
@@ -97,7 +121,7 @@ template <Features F, class Real>
 template <Features F, class Real, Fields which = Fields::all>
 WEAVEFRONT_INLINE void store_state(const State<Real>& state, double* to) {
     for_each_field<F, which>(
-        state, [&to](const Real& field) __attribute__((always_inline)) {
+        state, [&to](const char*, const Real& field) __attribute__((always_inline)) {
             RealTraits<Real>::store(field, to);
             to += width<Real>;
         });

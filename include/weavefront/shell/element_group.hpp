@@ -61,6 +61,16 @@ struct ElementOutput {
     double braid_angle;               ///< rad
     double crimp_height;              ///< h_f, m
     bool broken_fill, broken_warp;
+
+    template <class Archive>
+    void state(Archive& archive) {
+        archive("strain_fill", strain_fill), archive("strain_warp", strain_warp);
+        archive("stress_fill", stress_fill), archive("stress_warp", stress_warp);
+        archive("braid_angle", braid_angle), archive("crimp_height", crimp_height);
+        double fill = broken_fill ? 1 : 0, warp = broken_warp ? 1 : 0;
+        archive("broken_fill", fill), archive("broken_warp", warp);
+        broken_fill = fill != 0, broken_warp = warp != 0;
+    }
 };
 
 /// Which yarns of an element are not broken.
@@ -72,6 +82,11 @@ struct IntactYarns {
 struct StateSizes {
     int changing, packing,
         damage;  ///< of damage with that of the element, none where the fabric does not break
+};
+
+/// Names of these fields, in the order in which they are stored.
+struct StateNames {
+    std::vector<const char*> changing, packing, damage;
 };
 
 /// State and kernel of the elements that share a fabric. What the fabric does not ask for has neither state
@@ -153,11 +168,25 @@ class ElementGroup {
     [[nodiscard]] virtual ElementOutput output(std::int32_t index,
                                                std::span<const Eigen::Vector3d> x) const = 0;
 
-    /// All that an element is and has been through, to be taken up by another group of the same fabric.
-    void save(std::int32_t index, std::vector<double>& record) const;
-    /// What fills the last pack follows the elements that it is a copy of.
-    /// @param record of `save`, with anything after it. @return what comes after it
-    std::span<const double> restore(std::int32_t index, std::span<const double> record);
+    /// All state of an element, for an archive of module `state`. Lanes that fill the last pack follow the
+    /// element that they copy.
+    template <class Archive>
+    void state(Archive& archive, std::int32_t index) {
+        for (int field = 0; field < changing_fields_; ++field)
+            archive(names_.changing[static_cast<std::size_t>(field)], state_[slot(index, field)]);
+        const auto of_blocks = [&](PackBlocks& blocks, const std::vector<const char*>& names) {
+            for (int field = 0; field < blocks.fields(); ++field) {
+                double value = blocks.get(index / pack_width, field, index % pack_width);
+                archive(names[static_cast<std::size_t>(field)], value);
+                if constexpr (Archive::reads)
+                    blocks.set(index / pack_width, field, index % pack_width, value);
+            }
+        };
+        of_blocks(packing_, names_.packing);
+        of_blocks(damage_, names_.damage);
+        archive("hourglass_energy", hourglass_energy_[static_cast<std::size_t>(index)]);
+        if constexpr (Archive::reads) fill_lanes(index);
+    }
 
     /// Takes an element of a fabric that breaks out; what it leaves behind.
     Events::Erosion erode(std::int32_t index);
@@ -167,8 +196,8 @@ class ElementGroup {
     virtual void tighten_uniform(const TighteningStart& start, std::span<const Eigen::Vector3d> x,
                                  TightBounds& bounds) const = 0;
 
-    ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements,
-                 const StateSizes& sizes);
+    ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, const StateSizes& sizes,
+                 StateNames names);
 
     /// Reference geometry of an element, eroded or not.
     [[nodiscard]] Quad<double> whole_quad(std::int32_t index) const {
@@ -220,9 +249,11 @@ class ElementGroup {
         std::int32_t first, element;  ///< index in the group, local index in the part
     };
 
-    std::span<const double> write(std::int32_t index, std::span<const double> record);
+    /// Copies an element's state to the lanes that stand for it in the last pack.
+    void fill_lanes(std::int32_t index);
 
     int changing_fields_;
+    StateNames names_;
     std::vector<Run> runs_;
     std::int32_t steepest_ = 0;  // pack in which least_facing found enough, to start from
 };

@@ -37,7 +37,7 @@ struct Balance {
     double back_face_deflection = 0;  ///< of joined fabric of the last ply along z, the largest, m
     double time_step = 0;             ///< s
     contact::Deepest deepest;         ///< penetration up to now
-    std::int64_t debris_elements = 0;
+    std::int64_t debris_elements = 0, folded_elements = 0;
     double debris_mass = 0;          ///< kg
     double debris_displacement = 0;  ///< of a node of debris along z, the largest, m
 

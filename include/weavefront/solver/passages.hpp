@@ -45,6 +45,25 @@ class Passages {
     [[nodiscard]] const std::vector<std::optional<Passage>>& plies() const { return plies_; }
     [[nodiscard]] bool all() const;
 
+    template <class Archive>
+    void state(Archive& archive) {
+        std::vector<double> times;
+        std::vector<std::int64_t> plies, ways, elements;
+        for (std::size_t ply = 0; ply < plies_.size(); ++ply) {
+            if (!plies_[ply]) continue;
+            times.push_back(plies_[ply]->time);
+            plies.push_back(static_cast<std::int64_t>(ply));
+            ways.push_back(static_cast<std::int64_t>(plies_[ply]->way));
+            elements.push_back(plies_[ply]->element);
+        }
+        archive("passages/time", times);
+        archive("passages/ply", plies);
+        archive("passages/way", ways);
+        archive("passages/element", elements);
+        for (std::size_t i = 0; i < plies.size(); ++i)
+            plies_[static_cast<std::size_t>(plies[i])] = {times[i], static_cast<Way>(ways[i]), elements[i]};
+    }
+
   private:
     std::vector<std::optional<Passage>> plies_;
 };

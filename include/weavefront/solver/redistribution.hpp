@@ -11,7 +11,7 @@ namespace weavefront::solver {
 /// @param model between two steps: forces have been used, and erosions are known to the surface
 /// @note Collective
 Model redistribute(const scene::Scene& scene, const mesh::Panel& panel,
-                   const partition::Decomposition& decomposition, const Model& model,
+                   const partition::Decomposition& decomposition, Model& model,
                    const parallel::Communicator& comm);
 
 }  // namespace weavefront::solver

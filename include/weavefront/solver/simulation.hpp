@@ -14,30 +14,18 @@
 #include "weavefront/parallel/communicator.hpp"
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/solver/balance.hpp"
+#include "weavefront/solver/clock.hpp"
+#include "weavefront/solver/counts.hpp"
 #include "weavefront/solver/joined_fabric.hpp"
+#include "weavefront/solver/ledger.hpp"
 #include "weavefront/solver/model.hpp"
 #include "weavefront/solver/passages.hpp"
 #include "weavefront/solver/phases.hpp"
+#include "weavefront/solver/saved_state.hpp"
+#include "weavefront/solver/step_agreement.hpp"
 #include "weavefront/solver/step_bound.hpp"
 
 namespace weavefront::solver {
-
-/// What is counted on the way: from step to step of this rank's elements, not multiplied by symmetry, and
-/// from row to row of the whole target.
-struct Counts {
-    std::int64_t broken_yarns = 0, eroded_elements = 0;
-    std::vector<double> first_break;  ///< by ply, s; largest double: none
-    std::int64_t searches = 0;        ///< how often what may meet was looked for, the first time included
-    std::int64_t inverted = 0;        ///< elements folded over themselves, most of the rows
-    double max_displacement = 0, back_face_deflection = 0;  ///< largest of the rows, m
-    double lowest_contact_energy = 0;                    ///< J, over the rows: below zero contact gave energy
-    double largest_hourglass = 0, largest_internal = 0;  ///< J, over the rows
-    double largest_closure_error = 0;                    ///< of the rows, see Balance
-    contact::Deepest deepest;                            ///< over the steps, of this rank's elements
-    bool touched = false;                                ///< whether any force ever acted on the projectile
-    double last_touched = 0;                             ///< when it did last, s
-    std::optional<double> turned_back;  ///< when the projectile first moved away from the target, s
-};
 
 /// Elements that have come through another ply unseen.
 struct CrossedElements {
@@ -52,7 +40,7 @@ double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel);
 /// `integrate` moves on to the next. Between the two the state may be observed.
 class Simulation {
   public:
-    /// @note Collective, as all functions that are not const, and `balance`
+    /// @note Collective, as all functions that are not const, and `balance`, `joined_fabric`
     Simulation(const scene::Scene& scene, const parallel::Communicator& comm);
 
     /// Elements, contact, halo sum, time step.
@@ -65,25 +53,38 @@ class Simulation {
     /// Goes on with other columns on this rank, without changing a bit; between integrate and advance_forces.
     void redistribute(const partition::Decomposition& decomposition);
 
-    /// Asks all ranks to stop; they agree in the next `advance_forces`, without a message of its own. Not
-    /// collective.
-    void ask_to_stop() { is_stop_asked_ = true; }
-    /// Whether a rank has asked to stop.
-    [[nodiscard]] bool is_stop_agreed() const { return is_stop_agreed_; }
+    /// Asks all ranks to stop, or to write a checkpoint; they agree in the next `advance_forces`, without a
+    /// message of its own. Not collective.
+    void request_stop() { stop_requested_ = true; }
+    void request_checkpoint() { checkpoint_requested_ = true; }
+    /// Whether a rank had asked for it before the last `advance_forces`.
+    [[nodiscard]] bool is_stop_agreed() const { return step_.stop > 0; }
+    [[nodiscard]] bool is_checkpoint_agreed() const { return step_.checkpoint > 0; }
+
+    /// The state between integrate and advance_forces, from which a run goes on with the same bits on any
+    /// number of ranks. @note Collective
+    [[nodiscard]] SavedState save();
+    /// Goes on from a state of the same scene, between integrate and advance_forces.
+    /// @param saved tables of this rank's nodes and owned elements, in the order of the model's global ids
+    /// @throws state::Mismatch when it is not a state of this scene and this program; on some ranks only
+    /// @note Collective
+    void restore(SavedState saved);
 
     /// Energies and motion now; between advance_forces and integrate. @note Collective
-    [[nodiscard]] Balance balance();
+    [[nodiscard]] Balance balance() const;
+    /// The same, and its extremes are counted. @note Collective
+    Balance record_balance();
 
-    [[nodiscard]] double time() const { return time_; }
-    [[nodiscard]] double time_step() const { return dt_; }
-    [[nodiscard]] std::int64_t steps() const { return steps_; }
+    [[nodiscard]] double time() const { return clock_.time; }
+    [[nodiscard]] double time_step() const { return clock_.dt; }
+    [[nodiscard]] std::int64_t steps() const { return clock_.steps; }
     [[nodiscard]] const Model& model() const { return model_; }
     [[nodiscard]] Model& model() { return model_; }
     [[nodiscard]] const mesh::Panel& panel() const { return panel_; }
     [[nodiscard]] const Counts& counts() const { return counts_; }
     [[nodiscard]] const Passages& passages() const { return passages_; }
     /// The fabric that is still joined to the target now. @note Collective
-    [[nodiscard]] const JoinedFabric& joined_fabric();
+    [[nodiscard]] const JoinedFabric& joined_fabric() const;
     /// The deepest penetration of all ranks up to now. @note Collective
     [[nodiscard]] contact::Deepest deepest() const;
     /// Elements that lie behind the next ply although no element of that ply is eroded. @note Collective
@@ -109,11 +110,11 @@ class Simulation {
     [[nodiscard]] Vec3 projectile_velocity() const;
 
   private:
-    enum ContactKind : std::size_t { of_projectile, of_plies, of_frame, contact_kinds };
-
     void advance_elements();
     void evaluate_contact();
-    void sum_over_ranks();
+    void agree_on_step();
+    void apply_agreement();
+    void follow_model();
     void adapt_time_step();
     void list_supports();
     void hold_supports();
@@ -123,7 +124,6 @@ class Simulation {
     void record_events(const shell::Events& events);
     void book_sliding(ContactKind kind);
     void count_contact_work(double dt);  // of half a step
-    void add_energy(std::int64_t& sum, double energy);
     [[noreturn]] void stop_at_fault() const;
     [[nodiscard]] bool moved_far() const;
     [[nodiscard]] Vec3 without_mirrored(Vec3 force) const;
@@ -133,7 +133,7 @@ class Simulation {
         return step * (model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node]);
     }
     [[nodiscard]] Vec3 updated_velocity(std::size_t node) const {
-        const double step = (last_dt_ + dt_) / 2, drag = scene_.damping * step / 2;
+        const double step = clock_.velocity_step(), drag = scene_.damping * step / 2;
         if (drag == 0) return model_.nodes.v[node] + velocity_increment(node, step);
         return ((1 - drag) * model_.nodes.v[node] + velocity_increment(node, step)) / (1 + drag);
     }
@@ -148,51 +148,47 @@ class Simulation {
     void add_element_energies(LedgerSums& sums) const;
     [[nodiscard]] Displacements displacements(LedgerSums& sums) const;
     void add_projectile(Balance& balance) const;
-    void close(Balance& balance);
+    void close(Balance& balance) const;
+    template <class Archive>
+    void visit_values(Archive& archive);
     [[nodiscard]] double damping_work(std::size_t node, const Vec3& next, double backward,
                                       double forward) const;
 
     scene::Scene scene_;
     const parallel::Communicator& comm_;
     parallel::SharedMemoryExchange shared_memory_;
-    PhaseSeconds seconds_{};
+    mutable PhaseSeconds seconds_{};
     mesh::Panel panel_;
     Model model_;
     double multiplicity_;
     StepBound step_bound_;
     std::vector<std::size_t> held_;  // nodes with a support
 
-    double time_ = 0, dt_ = 0, last_dt_ = 0;  // last_dt_: from the last state to this one
-    std::int64_t steps_ = 0;
+    Clock clock_;
     std::int64_t next_check_ = 0;  // step at which the time step is adapted again
-    bool step_check_due_ = false;  // yarns of any rank, so far that this has to be done now
+    bool stop_requested_ = false, checkpoint_requested_ = false;  // by this rank
+    StepAgreement step_;  // of this rank while forces are computed, then of all ranks
 
-    bool is_stop_asked_ = false, is_stop_agreed_ = false;  // on this rank, on any
-
-    FixedVector on_projectile_{};
     Vec3 projectile_force_{0, 0, 0},
         frame_force_{0, 0, 0};  // on the projectile: of all, and of the frame alone, N
     Vec3 initial_projectile_{0, 0, 0};
     contact::ContactForces contact_;
     std::array<contact::SlidingAccount, contact_kinds> sliding_;
-    std::array<std::int64_t, contact_kinds> sliding_released_{},
-        sliding_wanted_{};  // in this step on this rank, of energy_
     shell::AlignedVector<double> pack_forces_;
 
-    bool candidates_outdated_ = true;
-    bool any_eroded_ = false;                              // whether an element of any rank has been eroded
-    contact::SweptBounds swept_nodes_, swept_projectile_;  // until candidates are chosen again
+    struct Search {
+        bool is_outdated = true;
+        bool any_eroded = false;                 // elements of any rank
+        contact::SweptBounds nodes, projectile;  // until candidates are chosen again
+    };
+    Search search_;
     std::vector<std::int32_t> just_eroded_;
 
-    parallel::FixedPoint energy_, mass_scale_;
-    std::int64_t contact_work_ = 0, damping_work_ = 0, eroded_work_ = 0, eroded_friction_ = 0,
-                 eroded_hourglass_ = 0;  // of energy_
-    double initial_energy_ = 0, energy_scale_ = 0, transferred_energy_ = 0;
-    bool faulty_energy_ = false;  // some work was not finite, or too large to be true
+    Ledger ledger_;
     Counts counts_;
     Passages passages_;
-    JoinedFabric joined_;
-    std::int64_t joined_at_ = 0;  // yarns that were broken on any rank when it was found
+    mutable JoinedFabric joined_;         // found anew when it is asked for and yarns have broken since
+    mutable std::int64_t joined_at_ = 0;  // yarns that were broken on any rank when it was found
 };
 
 }  // namespace weavefront::solver

@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include "element_state.hpp"
+#include "weavefront/solver/simulation.hpp"
+
+namespace weavefront::solver {
+
+template <class Archive>
+void Simulation::visit_values(Archive& archive) {
+    clock_.state(archive);
+    archive("clock/next_check", next_check_);
+    if (model_.projectile) {
+        auto& [position, velocity] = *model_.projectile;
+        archive("projectile/x", position[0]);
+        archive("projectile/y", position[1]);
+        archive("projectile/z", position[2]);
+        archive("projectile/vx", velocity[0]);
+        archive("projectile/vy", velocity[1]);
+        archive("projectile/vz", velocity[2]);
+    }
+    if (model_.projectile_on_frame) model_.projectile_on_frame->state(archive, "projectile_on_frame");
+    sliding_[of_projectile].state(archive, "sliding/projectile");
+    sliding_[of_plies].state(archive, "sliding/plies");
+    sliding_[of_frame].state(archive, "sliding/frame");
+    archive("search/any_eroded", search_.any_eroded);
+    ledger_.state(archive);
+    counts_.state(archive);
+    passages_.state(archive);
+    step_bound_.state(archive);
+}
+
+SavedState Simulation::save() {
+    counts_.deepest = deepest();
+    SavedState saved;
+    state::ValueWriter values(saved.values, comm_);
+    visit_values(values);
+
+    for (std::size_t n = 0; n < model_.nodes.ids.size(); ++n)
+        if (model_.nodes.owned[n]) saved.nodes.ids.push_back(model_.nodes.ids[n]);
+    state::ColumnWriter nodes(saved.nodes);
+    for (std::size_t n = 0, item = 0; n < model_.nodes.ids.size(); ++n) {
+        if (!model_.nodes.owned[n]) continue;
+        nodes.start(item++);
+        visit_node(nodes, model_, n);
+    }
+    saved.elements.ids = model_.global.element_ids;
+    state::ColumnWriter elements(saved.elements);
+    for (std::size_t e = 0; e < saved.elements.ids.size(); ++e) {
+        elements.start(e);
+        visit_element(elements, model_, static_cast<std::int32_t>(e));
+    }
+    return saved;
+}
+
+void Simulation::restore(SavedState saved) {
+    state::ValueReader values(saved.values, comm_);
+    visit_values(values);
+    state::ColumnReader nodes(saved.nodes);
+    for (std::size_t n = 0; n < model_.nodes.ids.size(); ++n) {
+        nodes.start(n);
+        visit_node(nodes, model_, n);
+    }
+    nodes.finish();
+    state::ColumnReader elements(saved.elements);
+    for (std::size_t e = 0; e < model_.global.element_ids.size(); ++e) {
+        elements.start(e);
+        visit_element(elements, model_, static_cast<std::int32_t>(e));
+    }
+    elements.finish();
+    saved = {};
+    follow_model();
+    update_candidates();
+}
+
+}  // namespace weavefront::solver

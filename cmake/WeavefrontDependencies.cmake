@@ -19,8 +19,8 @@ if(NOT HDF5_IS_PARALLEL)
 endif()
 target_link_libraries(HDF5::HDF5 INTERFACE MPI::MPI_CXX)
 
-# METIS and udunits2 ship no CMake package.
-foreach(library metis udunits2)
+# METIS, udunits2 and xxHash ship no CMake package.
+foreach(library metis udunits2 xxhash)
     find_library(${library}_LIBRARY ${library} REQUIRED)
     find_path(${library}_INCLUDE_DIR ${library}.h REQUIRED)
     add_library(${library} INTERFACE IMPORTED GLOBAL)

@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "frames.hpp"
+#include "output_schedule.hpp"
 #include "projectile_surface.hpp"
 #include "run_report.hpp"
 #include "signals.hpp"
@@ -16,6 +22,7 @@
 #include "weavefront/io/progress.hpp"
 #include "weavefront/io/results.hpp"
 #include "weavefront/mesh/panel.hpp"
+#include "weavefront/parallel/failure.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/load_watch.hpp"
@@ -30,43 +37,33 @@ namespace {
 // about as much as a step.
 constexpr std::int64_t steps_between_balances = 1000;
 
-// A launcher that has passed on a signal to end may leave a second: so many bytes of results are copied
-// within it.
-constexpr double quick_to_cut = 2e8;
-
-/// Times 0, interval, 2 interval, ...: each is due at the first step at or after it.
-class Schedule {
-  public:
-    explicit Schedule(double interval) : interval_(interval) {}
-
-    /// True once for every time passed.
-    bool due(double time) {
-        if (time < next_ * interval_ || next_ < 0) return false;
-        next_ = interval_ > 0 ? std::floor(time / interval_) + 1 : -1;
-        return true;
-    }
-
-  private:
-    double interval_, next_ = 0;
-};
-
 }  // namespace
 
 class Impact::Run {
   public:
     Run(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm,
-        io::Terminal terminal, std::optional<double> rebalance)
+        const ImpactOptions& options)
         : scene_(scene),
           comm_(comm),
           directory_(directory),
-          log_(directory.path(), comm, terminal),
+          log_(directory.path(), comm, options.terminal,
+               options.restart ? io::LogStart::continued : io::LogStart::anew),
           report_(scene, comm, log_),
           simulation_(scene, comm),
-          history_(directory.path() / "history.csv", comm),
-          results_(setup(), comm),
           rows_(scene.output.history),
-          frames_(scene.output.interval) {
-        if (rebalance) load_.emplace(scene, *rebalance);
+          frames_(scene.output.interval),
+          checkpoints_(options.checkpoints, directory.path(), checkpoint_bytes()),
+          restart_(options.restart) {
+        if (options.rebalance) load_.emplace(scene, *options.rebalance);
+        const auto history = directory.path() / "history.csv";
+        if (restart_) {
+            const auto [written, frames] = restore(restart_->checkpoint);
+            history_.emplace(history, written, comm);
+            results_.emplace(setup(), frames, comm);
+        } else {
+            history_.emplace(history, comm);
+            results_.emplace(setup(), comm);
+        }
     }
 
     Ending run() {
@@ -88,25 +85,30 @@ class Impact::Run {
         if (ending.kind == Ending::Kind::stopped) write_last_good_frame(ending.reason);
         progress.finish();
         if (load_ && !is_rebalanced_) report_.never_rebalanced(load_->worst());
-        report_.finish(simulation_, last_, ending, directory_.path(), history_.hash());
-        const bool is_to_be_cut = ending.kind != Ending::Kind::interrupted || results_.bytes() < quick_to_cut;
-        if (is_to_be_cut && !results_.cut())
+        report_.finish(simulation_, last_, ending, directory_.path(), history_->hash());
+        // A run that goes on needs the room.
+        if (ending.kind != Ending::Kind::interrupted && !results_->cut())
             log_.warn(
                 "results.vtkhdf keeps room for more frames: the disk cannot hold a shorter copy beside it");
         return ending;
     }
 
   private:
-    /// The new run is certain to start: its files take the place of those of an earlier one.
+    /// The new run is certain to start: its files take the place of those of an earlier one, or go on.
     void publish() {
         if (comm_.any(noted_signal() != 0))
             throw Interrupted(agreed_signal() + " received before the first step: nothing was written");
-        const auto replaced = directory_.clear();
+        std::vector<std::string> replaced;
+        if (restart_)
+            directory_.remove_summary();
+        else
+            replaced = directory_.clear();
         log_.publish();
-        history_.publish();
-        results_.publish();
+        history_->publish();
+        results_->publish();
         report_.start(simulation_);
         if (!replaced.empty()) log_.info(fmt::format("  replaces      {}", fmt::join(replaced, ", ")));
+        if (restart_) report_.restarted(simulation_, restart_->path, restart_->passed_over);
     }
 
     /// Name of a signal that ranks have received. @note Collective
@@ -118,9 +120,9 @@ class Impact::Run {
 
     Ending advance(io::Progress& progress) {
         for (;;) {
-            if (noted_signal() != 0) simulation_.request_stop();
+            request();
             simulation_.advance_forces();
-            const bool end = is_at_end() || simulation_.is_stop_agreed();
+            const bool end = is_at_end();
             if (rows_.due(simulation_.time()) || end) {
                 write_row();
             } else if (simulation_.steps() - balanced_ >= steps_between_balances) {
@@ -129,28 +131,45 @@ class Impact::Run {
             }
             const bool is_last = end || (balanced_ == simulation_.steps() && is_decided());
             if (frames_.due(simulation_.time()) || is_last) write_frame();
-            if (is_last) return ending_now();
+            if (is_last) return {Ending::Kind::finished, end ? "end time reached" : "the outcome is decided"};
             simulation_.integrate();
             if (load_) rebalance();
+            const bool leaves = simulation_.is_stop_agreed();
+            if (leaves || simulation_.is_checkpoint_agreed() || checkpoints_.is_due_at(simulation_.steps()))
+                write_checkpoint();
+            if (leaves) return leave();
             progress.update(simulation_.time(), simulation_.steps(), report_.projectile_text(simulation_));
         }
+    }
+
+    /// Asks the other ranks for what this one knows of: signals, and on the first rank the clock.
+    void request() {
+        if (noted_signal() != 0) simulation_.request_stop();
+        if (comm_.rank() != 0) return;
+        if (reason_.empty()) reason_ = checkpoints_.reason_to_stop();
+        if (!reason_.empty()) simulation_.request_stop();
+        if (checkpoints_.is_due()) simulation_.request_checkpoint();
+    }
+
+    /// The last row and frame of a run that has to go; the checkpoint knows nothing of them.
+    Ending leave() {
+        simulation_.advance_forces();
+        write_row();
+        write_frame();
+        const auto by_clock = comm_.broadcast(reason_);
+        const auto reason = comm_.any(noted_signal() != 0) ? agreed_signal() + " received" : by_clock;
+        return {Ending::Kind::interrupted, reason};
     }
 
     [[nodiscard]] bool is_decided() const {
         return scene_.time.stop == scene::Stop::decided && solver::is_settled(simulation_, last_);
     }
 
-    [[nodiscard]] Ending ending_now() const {
-        if (is_at_end()) return {Ending::Kind::finished, "end time reached"};
-        if (is_decided()) return {Ending::Kind::finished, "the outcome is decided"};
-        return {Ending::Kind::interrupted, agreed_signal() + " received"};
-    }
-
     void rebalance() {
         const auto better = load_->look(simulation_, comm_);
         if (!better) return;
         simulation_.redistribute(better->decomposition);
-        results_.redistribute(topology_of(simulation_));
+        results_->redistribute(topology_of(simulation_));
         report_.rebalanced(simulation_, *better);
         is_rebalanced_ = true;
     }
@@ -159,7 +178,7 @@ class Impact::Run {
         last_ = simulation_.record_balance();
         {
             const solver::Timed timed(simulation_.seconds(), solver::Phase::output);
-            history_.write(row_of(last_, simulation_.panel().columns()));
+            history_->write(row_of(last_, simulation_.panel().columns()));
         }
         require_balance();
     }
@@ -171,8 +190,8 @@ class Impact::Run {
 
     void write_frame() {
         const solver::Timed timed(simulation_.seconds(), solver::Phase::output);
-        history_.require_in_place();
-        results_.write(frame_of(simulation_, scene_.output.fields));
+        history_->require_in_place();
+        results_->write(frame_of(simulation_, scene_.output.fields));
         last_frame_ = simulation_.time();
     }
 
@@ -183,7 +202,7 @@ class Impact::Run {
             write_frame();
         } catch (const io::NotFinite& refused) {
             if (reason != refused.what()) reason += std::string("; ") + refused.what();
-            reason += results_.frames() > 0
+            reason += results_->frames() > 0
                           ? fmt::format("; the last frame is that of t = {:.6g} us", last_frame_ * 1e6)
                           : "; no frame was written";
         }
@@ -198,6 +217,72 @@ class Impact::Run {
         return static_cast<std::int64_t>(
                    std::min(times, std::ceil(shorter_steps * end / simulation_.time_step()))) +
                1;
+    }
+
+    /// What a checkpoint takes, about.
+    [[nodiscard]] double checkpoint_bytes() const {
+        std::array<std::int64_t, 1> bytes{static_cast<std::int64_t>(simulation_.model().bytes())};
+        comm_.sum(bytes);
+        return static_cast<double>(bytes[0]);
+    }
+
+    /// State of what is written, beside that of the simulation.
+    template <class Archive>
+    void visit_output(Archive& archive, io::Written& written, std::int64_t& frames) {
+        archive("output.history.bytes", written.bytes);
+        archive("output.history.sha256", written.sha256);
+        archive("output.frames", frames);
+        archive("output.last_frame", last_frame_);
+        archive("output.balanced", balanced_);
+        const double asked = simulation_.last_time();
+        rows_.state(archive, "output.rows", asked);
+        frames_.state(archive, "output.frame_times", asked);
+    }
+
+    void write_checkpoint() {
+        const solver::Timed timed(simulation_.seconds(), solver::Phase::output);
+        const auto start = std::chrono::steady_clock::now();
+        history_->require_in_place();
+        auto written = history_->written();
+        auto frames = results_->frames();
+        results_->sync();
+        auto saved = simulation_.save();
+        state::ValueWriter archive(saved.values, comm_);
+        visit_output(archive, written, frames);
+        const auto& global = simulation_.model().global;
+        const auto path = checkpoint_in(directory_.path());
+        io::write_checkpoint(
+            path,
+            {scene_.resolved, WEAVEFRONT_VERSION, std::move(saved.values), std::move(saved.nodes),
+             std::move(saved.elements), global.nodes, global.elements},
+            comm_);
+        const auto seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        checkpoints_.written(seconds);
+        report_.checkpoint_written(simulation_, path, seconds);
+    }
+
+    /// Brings simulation and output to where a checkpoint has left them.
+    std::pair<io::Written, std::int64_t> restore(const io::Checkpoint& checkpoint) {
+        io::Written written;
+        std::int64_t frames = 0;
+        std::string failure;
+        try {
+            const auto& model = simulation_.model();
+            simulation_.restore({checkpoint.values(), checkpoint.nodes(model.nodes.ids),
+                                 checkpoint.elements(model.global.element_ids)});
+            state::ValueReader archive(checkpoint.values(), comm_);
+            visit_output(archive, written, frames);
+        } catch (const state::Mismatch& mismatch) {
+            failure = restart_->path.string() + " is of no use: " + mismatch.what();
+        }
+        failure = parallel::first_failure(comm_, failure);
+        if (!failure.empty()) throw io::FileError(failure);
+        if (is_at_end())
+            throw scene::InputError(
+                {fmt::format("--restart: time.end: found {:.6g} us, allowed is a time after that of {}, "
+                             "{:.6g} us",
+                             scene_.time.end * 1e6, restart_->path.string(), simulation_.time() * 1e6)});
+        return {written, frames};
     }
 
     [[nodiscard]] io::ResultsSetup setup() {
@@ -216,9 +301,12 @@ class Impact::Run {
     io::Log log_;
     RunReport report_;
     solver::Simulation simulation_;
-    io::History history_;
-    io::Results results_;
-    Schedule rows_, frames_;
+    OutputSchedule rows_, frames_;
+    CheckpointSchedule checkpoints_;
+    const Restart* restart_;
+    std::optional<io::History> history_;
+    std::optional<io::Results> results_;
+    std::string reason_;  // to stop, as the first rank knows it
     std::optional<solver::LoadWatch> load_;
     solver::Balance last_;
     std::int64_t balanced_ = 0;  // step
@@ -227,8 +315,8 @@ class Impact::Run {
 };
 
 Impact::Impact(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm,
-               io::Terminal terminal, std::optional<double> rebalance) try
-    : run_(std::make_unique<Run>(scene, directory, comm, terminal, rebalance)) {
+               const ImpactOptions& options) try
+    : run_(std::make_unique<Run>(scene, directory, comm, options)) {
 } catch (const solver::GuardStop& stop) {
     throw GuardStop(stop.what());
 }

@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include "checkpoint_schedule.hpp"
+#include "restart.hpp"
 #include "run_report.hpp"
 #include "weavefront/io/log.hpp"
 #include "weavefront/io/output_directory.hpp"
@@ -13,6 +15,14 @@
 
 namespace weavefront::app {
 
+/// How an impact is computed, apart from its scene.
+struct ImpactOptions {
+    io::Terminal terminal = io::Terminal::shown;  ///< whether the log is shown
+    std::optional<double> rebalance{};  ///< imbalance of the ranks above which columns move; none: they stay
+    CheckpointPlan checkpoints{};
+    const Restart* restart = nullptr;  ///< null: from the start; must outlive the impact
+};
+
 /// One impact: what it computes with and what it writes.
 class Impact {
   public:
@@ -20,11 +30,9 @@ class Impact {
     /// @param directory for history.csv, results.vtkhdf, summary.json and run.log; what it holds of an
     /// earlier run stays until `run`; must outlive this object
     /// @param comm      ranks that compute it; must outlive this object
-    /// @param terminal  whether the log is shown
-    /// @param rebalance imbalance of the ranks above which columns move between them; none: they stay
     /// @note Collective
     Impact(const scene::Scene& scene, io::OutputDirectory& directory, const parallel::Communicator& comm,
-           io::Terminal terminal = io::Terminal::shown, std::optional<double> rebalance = {});
+           const ImpactOptions& options = {});
     ~Impact();
     Impact(const Impact&) = delete;
     Impact& operator=(const Impact&) = delete;

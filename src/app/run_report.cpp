@@ -183,6 +183,19 @@ void RunReport::never_rebalanced(double worst) {
     log_.info("  rebalanced    never: " + reason);
 }
 
+void RunReport::restarted(const solver::Simulation& simulation, const std::filesystem::path& checkpoint,
+                          const std::vector<std::string>& passed_over) {
+    for (const auto& reason : passed_over) log_.warn("a checkpoint is passed over: " + reason);
+    log_.info(fmt::format("  restart       from {} at t = {:.6g} us, step {}", checkpoint.string(),
+                          simulation.time() * 1e6, simulation.steps()));
+}
+
+void RunReport::checkpoint_written(const solver::Simulation& simulation, const std::filesystem::path& path,
+                                   double seconds) {
+    log_.record(fmt::format("  checkpoint    {} at t = {:.6g} us, step {}, in {}", path.filename().string(),
+                            simulation.time() * 1e6, simulation.steps(), io::duration_text(seconds)));
+}
+
 void RunReport::finish(solver::Simulation& simulation, const solver::Balance& last, const Ending& ending,
                        const std::filesystem::path& directory, const std::string& history_hash) {
     io::Summary summary;

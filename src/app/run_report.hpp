@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "weavefront/io/log.hpp"
 #include "weavefront/io/rows.hpp"
@@ -39,6 +40,12 @@ class RunReport {
     void rebalanced(const solver::Simulation& simulation, const solver::Rebalancing& rebalancing);
     /// They might have, and have not. @param worst slowest rank over the mean, at most; 0: never measured
     void never_rebalanced(double worst);
+
+    /// The run goes on from a checkpoint. @param passed_over newer ones, and why they are of no use
+    void restarted(const solver::Simulation& simulation, const std::filesystem::path& checkpoint,
+                   const std::vector<std::string>& passed_over);
+    void checkpoint_written(const solver::Simulation& simulation, const std::filesystem::path& path,
+                            double seconds);
 
     /// The closing lines and summary.json. @param history_hash on rank 0 @note Collective
     void finish(solver::Simulation& simulation, const solver::Balance& last, const Ending& ending,

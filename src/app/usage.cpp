@@ -15,7 +15,7 @@ namespace weavefront::app {
 namespace {
 
 constexpr std::array<std::string_view, 1> later_subcommands{"v50"};
-constexpr std::array<std::string_view, 1> later_options{"--restart"};
+constexpr std::array<std::string_view, 0> later_options{};
 
 template <typename Later>
 void refuse_unless_known(std::string_view kind, const std::string& word,

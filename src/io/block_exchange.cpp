@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 
 #include "agreement.hpp"
+#include "weavefront/parallel/all_to_all.hpp"
 #include "weavefront/parallel/item_type.hpp"
 
 namespace weavefront::io {
@@ -15,13 +17,6 @@ namespace weavefront::io {
 namespace {
 
 using parallel::check;
-
-std::int64_t block_begin(std::int64_t total, int ranks, int rank) { return total * rank / ranks; }
-
-// Inverse of block_begin: the largest rank whose block begins at or before the item.
-int block_rank(std::int64_t total, int ranks, std::int64_t item) {
-    return static_cast<int>(((item + 1) * ranks - 1) / total);
-}
 
 std::vector<int> starts_of(const std::vector<int>& counts) {
     std::vector<int> starts(counts.size());
@@ -52,10 +47,10 @@ void require_each_once(std::span<const std::int64_t> position, std::int64_t coun
 
 }  // namespace
 
-BlockExchange::BlockExchange(const parallel::Communicator& comm, std::int64_t total,
+BlockExchange::BlockExchange(const parallel::Communicator& comm, const Blocks& blocks,
                              std::span<const std::int64_t> owned)
-    : comm_(&comm), total_(total), first_(block_begin(total, comm.size(), comm.rank())) {
-    const auto count = block_begin(total, comm.size(), comm.rank() + 1) - first_;
+    : comm_(&comm), blocks_(blocks), first_(blocks.begin(comm.rank())) {
+    const auto total = blocks.total, count = blocks.begin(comm.rank() + 1) - first_;
 
     Agreement agreement(comm);
     agreement.attempt([&] { require_ascending_within(total, owned); });
@@ -70,7 +65,7 @@ void BlockExchange::agree_on_counts(std::span<const std::int64_t> owned) {
     const int ranks = comm_->size();
     send_counts_.assign(static_cast<std::size_t>(ranks), 0);
     receive_counts_.assign(static_cast<std::size_t>(ranks), 0);
-    for (const auto id : owned) ++send_counts_[static_cast<std::size_t>(block_rank(total_, ranks, id))];
+    for (const auto id : owned) ++send_counts_[static_cast<std::size_t>(blocks_.rank_of(id))];
     check(MPI_Alltoall(send_counts_.data(), 1, MPI_INT, receive_counts_.data(), 1, MPI_INT, comm_->get()));
     send_starts_ = starts_of(send_counts_);
     receive_starts_ = starts_of(receive_counts_);
@@ -106,6 +101,35 @@ void BlockExchange::exchange(std::span<const std::byte> values, std::span<std::b
         place(std::integral_constant<std::size_t, 3 * sizeof(double)>());
     else
         place(item);
+}
+
+RaggedValues BlockExchange::to_block(const RaggedValues& owned) const {
+    RaggedValues block;
+    block.counts = to_block<std::int32_t>(owned.counts);
+    std::vector<std::vector<double>> outgoing(send_counts_.size());
+    auto next = owned.values.begin();
+    for (std::size_t r = 0, item = 0; r < send_counts_.size(); ++r) {
+        std::ptrdiff_t values = 0;
+        for (int i = 0; i < send_counts_[r]; ++i) values += owned.counts[item++];
+        outgoing[r].assign(next, next + values);
+        next += values;
+    }
+    std::vector<std::size_t> begins(block.counts.size() + 1, 0);
+    std::inclusive_scan(block.counts.begin(), block.counts.end(), begins.begin() + 1, std::plus<>(),
+                        std::size_t{0});
+    block.values.resize(begins.back());
+    std::size_t arrived = 0;
+    const auto incoming = parallel::all_to_all(*comm_, outgoing);
+    for (std::size_t r = 0; r < incoming.size(); ++r) {
+        auto from = incoming[r].begin();
+        for (int i = 0; i < receive_counts_[r]; ++i) {
+            const auto item = static_cast<std::size_t>(position_[arrived++]);
+            std::copy_n(from, block.counts[item],
+                        block.values.begin() + static_cast<std::ptrdiff_t>(begins[item]));
+            from += block.counts[item];
+        }
+    }
+    return block;
 }
 
 }  // namespace weavefront::io

@@ -1,5 +1,12 @@
 #include "frame_publisher.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "weavefront/io/file_error.hpp"
 #include "weavefront/io/new_file.hpp"
 
 namespace weavefront::io {
@@ -25,9 +32,27 @@ void FramePublisher::publish(std::int64_t frame, double time) {
 }
 
 void FramePublisher::require_in_place(const std::string& path) const {
+    io::require_in_place(descriptor(), path);
+}
+
+// Readers never find more frames than times.
+void FramePublisher::cut(std::int64_t frames) {
+    const auto number = static_cast<std::int32_t>(frames);
+    checked(H5Awrite(count_.get(), H5T_NATIVE_INT32, &number), doing_);
+    flush();
+    const hsize_t extent = std::max<hsize_t>(static_cast<hsize_t>(frames), 1);
+    checked(H5Dset_extent(times_.get(), &extent), doing_);
+    flush();
+}
+
+void FramePublisher::sync() const {
+    if (::fsync(descriptor()) != 0) throw FileError(doing_ + ": " + std::generic_category().message(errno));
+}
+
+int FramePublisher::descriptor() const {
     void* descriptor = nullptr;  // of the driver for one process: to an int
     checked(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), doing_);
-    io::require_in_place(*static_cast<const int*>(descriptor), path);
+    return *static_cast<const int*>(descriptor);
 }
 
 void FramePublisher::flush() const { checked(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), doing_); }

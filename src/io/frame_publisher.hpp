@@ -23,11 +23,18 @@ class FramePublisher {
     /// @throws FileError
     void publish(std::int64_t frame, double time);
 
+    /// Leaves only the first frames. @throws FileError
+    void cut(std::int64_t frames);
+
+    /// Waits until the file is on the disk. @throws FileError
+    void sync() const;
+
     /// @throws FileError when `path` does not lead to the file
     void require_in_place(const std::string& path) const;
 
   private:
     void flush() const;
+    [[nodiscard]] int descriptor() const;
 
     std::string doing_;
     H5File file_;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <fstream>
 #include <variant>
 #include <vector>
 
@@ -87,6 +88,26 @@ History::History(const std::filesystem::path& path, const parallel::Communicator
     agreement.settle<FileError>();
 }
 
+History::History(const std::filesystem::path& path, const Written& written,
+                 const parallel::Communicator& comm)
+    : comm_(&comm) {
+    Agreement agreement(comm);
+    agreement.attempt_on_root([&] {
+        std::ifstream file(path, std::ios::binary);
+        std::string text(static_cast<std::size_t>(written.bytes), '\0');
+        if (!file.read(text.data(), written.bytes))
+            throw FileError(
+                fmt::format("{} cannot be continued: it has fewer than the {} bytes that were written",
+                            path.string(), written.bytes));
+        sha256_.add(text);
+        if (sha256_.hex() != written.sha256)
+            throw FileError(path.string() + " cannot be continued: its rows are not those of the checkpoint");
+        bytes_ = written.bytes;
+        file_ = NewFile::appended_to(path);
+    });
+    agreement.settle<FileError>();
+}
+
 History::~History() = default;
 History::History(History&&) noexcept = default;
 History& History::operator=(History&&) noexcept = default;
@@ -102,7 +123,10 @@ void History::write(const HistoryRow& row) {
 
 void History::publish() {
     Agreement agreement(*comm_);
-    agreement.attempt_on_root([&] { file_->publish(); });
+    agreement.attempt_on_root([&] {
+        file_->publish();
+        file_->cut(bytes_);
+    });
     agreement.settle<FileError>();
 }
 
@@ -112,12 +136,24 @@ void History::require_in_place() const {
     agreement.settle<FileError>();
 }
 
+Written History::written() const {
+    Written written;
+    Agreement agreement(*comm_);
+    agreement.attempt_on_root([&] {
+        file_->sync();
+        written = {bytes_, sha256_.hex()};
+    });
+    agreement.settle<FileError>();
+    return written;
+}
+
 std::string History::hash() const { return sha256_.hex(); }
 
 void History::append(std::string line) {
     line += '\n';
     file_->append(line);
     sha256_.add(line);
+    bytes_ += static_cast<std::int64_t>(line.size());
 }
 
 }  // namespace weavefront::io

@@ -34,21 +34,24 @@ bool on_terminal() {
 /// on.
 class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
   public:
-    explicit FileSink(const std::filesystem::path& path) : file_(path) {}
+    FileSink(const std::filesystem::path& path, LogStart start)
+        : file_(start == LogStart::continued && std::filesystem::exists(path)
+                    ? NewFile::appended_to(path)
+                    : std::make_unique<NewFile>(path)) {}
     ~FileSink() override {
         if (lost_ > 1) std::fprintf(stderr, "warning: run.log lacks %d lines\n", lost_);
     }
     FileSink(const FileSink&) = delete;
     FileSink& operator=(const FileSink&) = delete;
 
-    void publish() { file_.publish(); }
+    void publish() { file_->publish(); }
 
   private:
     void sink_it_(const spdlog::details::log_msg& message) override {
         spdlog::memory_buf_t line;
         formatter_->format(message, line);
         try {
-            file_.append({line.data(), line.size()});
+            file_->append({line.data(), line.size()});
         } catch (const FileError& failure) {
             if (++lost_ == 1)
                 std::fprintf(stderr, "warning: a line of the log is lost: %s\n", failure.what());
@@ -56,7 +59,7 @@ class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mut
     }
     void flush_() override {}
 
-    NewFile file_;
+    std::unique_ptr<NewFile> file_;
     int lost_ = 0;
 };
 
@@ -64,7 +67,7 @@ class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mut
 
 class Log::Sinks {
   public:
-    Sinks(const std::filesystem::path& directory, Terminal terminal)
+    Sinks(const std::filesystem::path& directory, Terminal terminal, LogStart start)
         : interactive_(terminal == Terminal::shown && on_terminal()),
           out_("out"),
           error_("error"),
@@ -74,7 +77,7 @@ class Log::Sinks {
             error_.sinks().push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
         }
         if (!directory.empty()) {
-            in_file_ = std::make_shared<FileSink>(directory / "run.log");
+            in_file_ = std::make_shared<FileSink>(directory / "run.log", start);
             file_.sinks().push_back(in_file_);
         }
         // A time on every line would hide the text, and no two runs would agree.
@@ -132,10 +135,11 @@ class Log::Sinks {
     spdlog::logger out_, error_, file_;
 };
 
-Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm, Terminal terminal)
+Log::Log(const std::filesystem::path& directory, const parallel::Communicator& comm, Terminal terminal,
+         LogStart start)
     : comm_(&comm) {
     Agreement agreement(comm);
-    agreement.attempt_on_root([&] { sinks_ = std::make_unique<Sinks>(directory, terminal); });
+    agreement.attempt_on_root([&] { sinks_ = std::make_unique<Sinks>(directory, terminal, start); });
     agreement.settle<FileError>();
 }
 

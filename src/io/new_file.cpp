@@ -75,6 +75,13 @@ void require_in_place(int descriptor, const std::filesystem::path& path) {
 
 NewFile::NewFile(const std::filesystem::path& path) : path_(path), descriptor_(create(path)) {}
 
+std::unique_ptr<NewFile> NewFile::appended_to(const std::filesystem::path& path) {
+    require_regular_or_missing(path);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_APPEND | O_CLOEXEC);
+    if (descriptor < 0) refuse(path, reason_of(errno));
+    return std::unique_ptr<NewFile>(new NewFile(path, descriptor));
+}
+
 NewFile::~NewFile() {
     ::close(descriptor_);
     if (!is_published_) ::unlink(temporary_name(path_).c_str());
@@ -98,7 +105,16 @@ void NewFile::take_back(std::size_t part) const {
     errno = cause;
 }
 
+void NewFile::cut(std::int64_t bytes) const {
+    if (::ftruncate(descriptor_, bytes) != 0) fail();
+}
+
+void NewFile::sync() const {
+    if (::fsync(descriptor_) != 0) fail();
+}
+
 void NewFile::publish() {
+    if (is_published_) return;
     publish_file(path_);
     is_published_ = true;
 }

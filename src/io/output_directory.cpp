@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -20,7 +21,8 @@ namespace weavefront::io {
 namespace {
 
 // In the order in which they go: who finds a summary finds the other files of its run.
-constexpr std::array of_run{"summary.json", "history.csv", "results.vtkhdf", "run.log"};
+constexpr std::array of_run{"summary.json",           "history.csv", "results.vtkhdf", "checkpoint.h5",
+                            "checkpoint.previous.h5", "run.log"};
 constexpr std::array of_study{"study.csv", "study.json", "run.log"};
 
 std::string reason_of(int cause) { return std::generic_category().message(cause); }
@@ -77,9 +79,14 @@ std::string refusal(const std::filesystem::path& directory, Earlier earlier) {
         std::erase_if(there, [](const std::string& name) { return name.starts_with("run.log"); });
         (void)names_there(directory, of_study);
     }
-    if (there.empty() || earlier == Earlier::replaced) return {};
-    const auto remedy = earlier == Earlier::refused ? "--overwrite replaces it, --output names another folder"
-                                                    : "--output names another folder";
+    if (there.empty() && earlier == Earlier::continued)
+        return fmt::format("{} holds no run that could go on", directory.string());
+    if (there.empty() || earlier == Earlier::replaced || earlier == Earlier::continued) return {};
+    const bool can_go_on =
+        std::ranges::any_of(there, [](const auto& name) { return name.starts_with("checkpoint."); });
+    const auto remedy =
+        std::string(earlier == Earlier::refused && can_go_on ? "--restart auto goes on with it, " : "") +
+        (earlier == Earlier::refused ? "--overwrite replaces it, " : "") + "--output names another folder";
     return fmt::format("{} holds a run already ({}): {}", directory.string(), fmt::join(there, ", "), remedy);
 }
 
@@ -94,7 +101,7 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& path, const parall
         is_created_ = create_writable(path);
         lock_ = std::make_unique<RunLock>(path);
         refused = refusal(path, earlier);
-        if (earlier == Earlier::replaced) remove_temporaries(path, of_run);
+        if (earlier == Earlier::replaced || earlier == Earlier::continued) remove_temporaries(path, of_run);
         if (earlier == Earlier::kept && refused.empty()) remove_temporaries(path, of_study);
     });
     agreement.settle<FileError>();
@@ -105,6 +112,12 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& path, const parall
 OutputDirectory::~OutputDirectory() {
     lock_.reset();
     if (is_created_) ::rmdir(path_.c_str());  // which leaves one that holds something
+}
+
+void OutputDirectory::remove_summary() {
+    Agreement agreement(comm_);
+    agreement.attempt_on_root([&] { remove_file(path_ / "summary.json"); });
+    agreement.settle<FileError>();
 }
 
 std::vector<std::string> OutputDirectory::clear() {

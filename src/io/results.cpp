@@ -13,6 +13,7 @@
 #include "frame_checks.hpp"
 #include "frame_publisher.hpp"
 #include "hdf5_collective.hpp"
+#include "results_continued.hpp"
 #include "results_copy.hpp"
 #include "results_skeleton.hpp"
 #include "results_topology.hpp"
@@ -89,6 +90,29 @@ class Results::File {
         open(unfinished);
     }
 
+    File(const ResultsSetup& setup, std::int64_t frames, const parallel::Communicator& comm)
+        : exceptions_(std::uncaught_exceptions()),
+          comm_(comm),
+          setup_(without_values(setup)),
+          path_(setup.path.string()),
+          sizes_(setup),
+          frames_(frames),
+          nodes_(comm, setup.topology.nodes, setup.topology.owned_nodes),
+          elements_(comm, setup.topology.elements, setup.topology.owned_elements),
+          is_continued_(true) {
+        const QuietHdf5 quiet;
+        Agreement agreement(comm_);
+        std::vector<std::int64_t> room(1, 0);
+        agreement.attempt_on_root([&] {
+            require_regular_or_missing(path_);
+            room[0] = room_of_results(path_, setup_, frames);
+        });
+        agreement.settle<FileError>();
+        comm_.sum(room);
+        setup_.max_frames = room[0];
+        open(path_);
+    }
+
     ~File() {
         remove_unfinished();
         // Closing is for all ranks, and the others may not get here.
@@ -99,6 +123,16 @@ class Results::File {
 
     void publish() {
         Agreement agreement(comm_);
+        if (std::exchange(is_continued_, false)) {
+            bool is_of_other_scene = false;
+            agreement.attempt_on_root([&] {
+                publisher_->cut(frames_);
+                is_of_other_scene = scene_of_results(path_) != setup_.scene;
+            });
+            agreement.settle<FileError>();
+            if (comm_.any(is_of_other_scene)) change_room(setup_.max_frames);
+            return;
+        }
         agreement.attempt_on_root([&] {
             publish_file(path_);
             is_unfinished_there_ = false;
@@ -132,6 +166,15 @@ class Results::File {
         const QuietHdf5 quiet;
         if (room != setup_.max_frames) change_room(room);
         return room == setup_.max_frames;
+    }
+
+    void sync_all() {
+        const QuietHdf5 quiet;
+        Agreement agreement(comm_);
+        agreement.attempt([&] { sync(); });
+        agreement.attempt_on_root([&] { publisher_->sync(); });
+        agreement.settle<FileError>();
+        synced_ = Clock::now();
     }
 
     void redistribute(const Topology& topology) {
@@ -264,6 +307,7 @@ class Results::File {
     bool is_unfinished_there_ = false;  // on the first rank
     std::int64_t frames_ = 0;
     BlockExchange nodes_, elements_;
+    bool is_continued_ = false;  // and not published yet
     std::unique_ptr<OpenArrays> arrays_;
     std::optional<FramePublisher> publisher_;  // on the first rank
     Clock::time_point synced_ = Clock::now();
@@ -271,6 +315,8 @@ class Results::File {
 
 Results::Results(const ResultsSetup& setup, const parallel::Communicator& comm)
     : file_(std::make_unique<File>(setup, comm)) {}
+Results::Results(const ResultsSetup& setup, std::int64_t frames, const parallel::Communicator& comm)
+    : file_(std::make_unique<File>(setup, frames, comm)) {}
 Results::~Results() = default;
 Results::Results(Results&&) noexcept = default;
 Results& Results::operator=(Results&&) noexcept = default;
@@ -285,7 +331,12 @@ void Results::write(const Frame& frame) {
     }
 }
 
-void Results::publish() { file_->publish(); }
+void Results::publish() {
+    const QuietHdf5 quiet;
+    file_->publish();
+}
+
+void Results::sync() { file_->sync_all(); }
 
 bool Results::cut() { return file_->cut(); }
 

@@ -8,21 +8,21 @@ namespace weavefront::solver {
 template <class Archive>
 void Simulation::visit_values(Archive& archive) {
     clock_.state(archive);
-    archive("clock/next_check", next_check_);
+    archive("clock.next_check", next_check_);
     if (model_.projectile) {
         auto& [position, velocity] = *model_.projectile;
-        archive("projectile/x", position[0]);
-        archive("projectile/y", position[1]);
-        archive("projectile/z", position[2]);
-        archive("projectile/vx", velocity[0]);
-        archive("projectile/vy", velocity[1]);
-        archive("projectile/vz", velocity[2]);
+        archive("projectile.x", position[0]);
+        archive("projectile.y", position[1]);
+        archive("projectile.z", position[2]);
+        archive("projectile.vx", velocity[0]);
+        archive("projectile.vy", velocity[1]);
+        archive("projectile.vz", velocity[2]);
     }
     if (model_.projectile_on_frame) model_.projectile_on_frame->state(archive, "projectile_on_frame");
-    sliding_[of_projectile].state(archive, "sliding/projectile");
-    sliding_[of_plies].state(archive, "sliding/plies");
-    sliding_[of_frame].state(archive, "sliding/frame");
-    archive("search/any_eroded", search_.any_eroded);
+    sliding_[of_projectile].state(archive, "sliding.projectile");
+    sliding_[of_plies].state(archive, "sliding.plies");
+    sliding_[of_frame].state(archive, "sliding.frame");
+    archive("search.any_eroded", search_.any_eroded);
     ledger_.state(archive);
     counts_.state(archive);
     passages_.state(archive);
@@ -68,6 +68,7 @@ void Simulation::restore(SavedState saved) {
     }
     elements.finish();
     saved = {};
+    model_.ghosts = {};  // which have moved, too
     follow_model();
     update_candidates();
 }

@@ -29,8 +29,8 @@ class SlidingAccount {
 
     template <class Archive>
     void state(Archive& archive, const std::string& name) {
-        archive(name + "/balance", balance_);
-        archive(name + "/wanted", wanted_);
+        archive(name + ".balance", balance_);
+        archive(name + ".wanted", wanted_);
     }
 
   private:

@@ -3,6 +3,7 @@
 /// From the scattered ownership of a partition to contiguous blocks of the global order, in which files are
 /// written.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,8 +13,30 @@
 
 namespace weavefront::io {
 
-/// Moves values from the ranks that own them to blocks of the global order: of N items, rank r of R holds [r
-/// N / R, (r + 1) N / R). Who sends what is agreed once, at construction.
+/// Blocks of the global order: of N items in whole grains, rank r of R holds those of the grains [r G / R,
+/// (r + 1) G / R), G the number of grains.
+struct Blocks {
+    std::int64_t total = 0, grain = 1;
+    int ranks = 1;
+
+    [[nodiscard]] std::int64_t grains() const { return (total + grain - 1) / grain; }
+    [[nodiscard]] std::int64_t begin(int rank) const {
+        return std::min(total, grains() * rank / ranks * grain);
+    }
+    /// The rank whose block holds an item.
+    [[nodiscard]] int rank_of(std::int64_t item) const {
+        return static_cast<int>(((item / grain + 1) * ranks - 1) / grains());
+    }
+};
+
+/// Items that hold different numbers of values.
+struct RaggedValues {
+    std::vector<std::int32_t> counts;  ///< of each item
+    std::vector<double> values;        ///< item after item
+};
+
+/// Moves values from the ranks that own them to blocks of the global order. Who sends what is agreed once, at
+/// construction.
 class BlockExchange {
   public:
     /// @param comm   ranks among which the items are spread; must outlive this object
@@ -22,7 +45,10 @@ class BlockExchange {
     /// one rank
     /// @throws std::logic_error on all ranks when the ids are not such a partition
     /// @note Collective
-    BlockExchange(const parallel::Communicator& comm, std::int64_t total,
+    BlockExchange(const parallel::Communicator& comm, std::int64_t total, std::span<const std::int64_t> owned)
+        : BlockExchange(comm, {total, 1, comm.size()}, owned) {}
+    /// The same with blocks of whole grains.
+    BlockExchange(const parallel::Communicator& comm, const Blocks& blocks,
                   std::span<const std::int64_t> owned);
 
     /// First global id of the block of this rank.
@@ -49,13 +75,16 @@ class BlockExchange {
         return block;
     }
 
+    /// The same of items that hold different numbers of values. @note Collective
+    [[nodiscard]] RaggedValues to_block(const RaggedValues& owned) const;
+
   private:
     void agree_on_counts(std::span<const std::int64_t> owned);
     void agree_on_positions(std::span<const std::int64_t> owned);
     void exchange(std::span<const std::byte> values, std::span<std::byte> block, std::size_t item) const;
 
     const parallel::Communicator* comm_;
-    std::int64_t total_;
+    Blocks blocks_;
     std::int64_t first_;
     std::vector<int> send_counts_, send_starts_, receive_counts_,
         receive_starts_;                  // in items, one entry a rank

@@ -2,6 +2,7 @@
 /// @file
 /// history.csv: the run as a table, one row per output time.
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -20,6 +21,12 @@ std::string history_header();
 /// @throws NotFinite naming the column
 std::string history_line(const HistoryRow& row);
 
+/// How much of a table there is, and its SHA-256.
+struct Written {
+    std::int64_t bytes = 0;
+    std::string sha256;
+};
+
 /// The growing table. Rank 0 writes whole lines, each handed to the system before `write` returns, so a run
 /// killed at any moment leaves complete rows.
 class History {
@@ -30,11 +37,20 @@ class History {
     /// @throws FileError on all ranks
     /// @note Collective
     History(const std::filesystem::path& path, const parallel::Communicator& comm);
+    /// Goes on with a table that is there, after its first bytes. What is beyond them stays until `publish`.
+    /// @param written what the table held when its run was left
+    /// @throws FileError on all ranks when its first bytes are others, or fewer
+    /// @note Collective
+    History(const std::filesystem::path& path, const Written& written, const parallel::Communicator& comm);
     ~History();
     History(History&&) noexcept;
     History& operator=(History&&) noexcept;
 
-    /// Gives the file its name, in place of one that exists. @throws FileError on all ranks @note Collective
+    /// What was written so far, on the disk; on rank 0. @throws FileError on all ranks @note Collective
+    [[nodiscard]] Written written() const;
+
+    /// Gives the file its name, in place of one that exists, or cuts it where it goes on. @throws FileError
+    /// on all ranks @note Collective
     void publish();
 
     /// Appends a row.
@@ -54,6 +70,7 @@ class History {
 
     std::unique_ptr<NewFile> file_;  // on rank 0
     Sha256 sha256_;
+    std::int64_t bytes_ = 0;
     const parallel::Communicator* comm_;
 };
 

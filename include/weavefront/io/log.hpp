@@ -11,6 +11,9 @@
 
 namespace weavefront::io {
 
+/// Whether run.log begins or goes on.
+enum class LogStart { anew, continued };
+
 /// Whether lines reach the terminal.
 enum class Terminal { shown, silent };
 
@@ -23,8 +26,9 @@ class Log {
     /// @param terminal   silent: run.log only
     /// @throws FileError on all ranks when run.log cannot be created
     /// @note Collective
+    /// @param start      whether lines are added to the run.log of before, where there is one
     Log(const std::filesystem::path& directory, const parallel::Communicator& comm,
-        Terminal terminal = Terminal::shown);
+        Terminal terminal = Terminal::shown, LogStart start = LogStart::anew);
     ~Log();
     Log(Log&&) noexcept;
     Log& operator=(Log&&) noexcept;

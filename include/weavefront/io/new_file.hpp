@@ -2,7 +2,9 @@
 /// @file
 /// Files that appear under their names when they are whole.
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -25,6 +27,8 @@ class NewFile {
   public:
     /// Creates it. @throws FileError, also where a file of the temporary name is there
     explicit NewFile(const std::filesystem::path& path);
+    /// Goes on with a file that is there under its own name. @throws FileError
+    static std::unique_ptr<NewFile> appended_to(const std::filesystem::path& path);
     /// Removes it unless it was published.
     ~NewFile();
     NewFile(const NewFile&) = delete;
@@ -35,10 +39,16 @@ class NewFile {
     void append(std::string_view text) const;
     /// Gives the file its own name; it stays open. @throws FileError
     void publish();
+    /// Takes away all that is beyond its first bytes. @throws FileError
+    void cut(std::int64_t bytes) const;
+    /// Waits until it is on the disk. @throws FileError
+    void sync() const;
     /// @throws FileError when its name no longer leads to the published file: its folder was moved or removed
     void require_in_place() const;
 
   private:
+    NewFile(const std::filesystem::path& path, int descriptor)
+        : path_(path), descriptor_(descriptor), is_published_(true) {}
     void take_back(std::size_t part) const;
     [[noreturn]] void fail() const;
 

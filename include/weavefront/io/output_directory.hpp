@@ -15,9 +15,10 @@ class RunLock;
 
 /// What is done with files of before.
 enum class Earlier {
-    refused,   ///< of a run: there must be none
-    replaced,  ///< of a run: they stay until `clear`
-    kept,      ///< of a study, which goes on from them; those of a run are refused
+    refused,    ///< of a run: there must be none
+    replaced,   ///< of a run: they stay until `clear`
+    continued,  ///< of a run, which goes on with them; there must be some
+    kept,       ///< of a study, which goes on from them; those of a run are refused
 };
 
 /// Keeps a directory to one run, or one study, for as long as it lives.
@@ -40,6 +41,10 @@ class OutputDirectory {
     OutputDirectory& operator=(const OutputDirectory&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    /// Removes the summary of an earlier part of the run, which goes on. @throws FileError on all ranks
+    /// @note Collective
+    void remove_summary();
 
     /// Removes what an earlier run has left, for a new one that is certain to start. @throws FileError on all
     /// ranks

@@ -36,11 +36,16 @@ class Results {
     /// std::logic_error when the ids of the topology are no partition
     /// @note Collective
     Results(const ResultsSetup& setup, const parallel::Communicator& comm);
+    /// Goes on with the file that is there, after its first frames. It stays as it is until `publish`.
+    /// @throws FileError on all ranks when it holds fewer frames, or is that of another scene
+    /// @note Collective
+    Results(const ResultsSetup& setup, std::int64_t frames, const parallel::Communicator& comm);
     ~Results();
     Results(Results&&) noexcept;
     Results& operator=(Results&&) noexcept;
 
-    /// Gives the file its name, in place of one that exists. @throws FileError on all ranks @note Collective
+    /// Gives the file its name, in place of one that exists, or cuts it to the frames after which it goes on.
+    /// @throws FileError on all ranks @note Collective
     void publish();
 
     /// Appends a frame to the published file; on return it is on disk and readable.
@@ -54,6 +59,9 @@ class Results {
     /// beside the longer one, which stays
     /// @note Collective
     bool cut();
+
+    /// Waits until all frames are on the disk. @throws FileError on all ranks @note Collective
+    void sync();
 
     /// From now on frames come from ranks that own other nodes and elements. @note Collective
     void redistribute(const Topology& topology);

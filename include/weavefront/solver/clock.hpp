@@ -28,10 +28,10 @@ struct Clock {
 
     template <class Archive>
     void state(Archive& archive) {
-        archive("clock/time", time);
-        archive("clock/dt", dt);
-        archive("clock/last_dt", last_dt);
-        archive("clock/steps", steps);
+        archive("clock.time", time);
+        archive("clock.dt", dt);
+        archive("clock.last_dt", last_dt);
+        archive("clock.steps", steps);
     }
 };
 

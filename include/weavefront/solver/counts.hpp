@@ -29,27 +29,27 @@ struct Counts {
     /// @pre on writing, `deepest` is that of all ranks
     template <class Archive>
     void state(Archive& archive) {
-        archive.sum("counts/broken_yarns", broken_yarns);
-        archive.sum("counts/eroded_elements", eroded_elements);
-        archive.least("counts/first_break", first_break);
-        archive("counts/searches", searches);
-        archive("counts/inverted", inverted);
-        archive("counts/max_displacement", max_displacement);
-        archive("counts/back_face_deflection", back_face_deflection);
-        archive("counts/lowest_contact_energy", lowest_contact_energy);
-        archive("counts/largest_hourglass", largest_hourglass);
-        archive("counts/largest_internal", largest_internal);
-        archive("counts/largest_closure_error", largest_closure_error);
-        archive("counts/deepest/overlap", deepest.overlap);
-        archive("counts/deepest/in_thicknesses", deepest.in_thicknesses);
-        archive("counts/deepest/x", deepest.place[0]);
-        archive("counts/deepest/y", deepest.place[1]);
-        archive("counts/deepest/z", deepest.place[2]);
-        archive("counts/deepest/element", deepest.element);
-        archive("counts/deepest/time", deepest.time);
-        archive("counts/touched", touched);
-        archive("counts/last_touched", last_touched);
-        archive("counts/turned_back", turned_back);
+        archive.sum("counts.broken_yarns", broken_yarns);
+        archive.sum("counts.eroded_elements", eroded_elements);
+        archive.least("counts.first_break", first_break);
+        archive("counts.searches", searches);
+        archive("counts.inverted", inverted);
+        archive("counts.max_displacement", max_displacement);
+        archive("counts.back_face_deflection", back_face_deflection);
+        archive("counts.lowest_contact_energy", lowest_contact_energy);
+        archive("counts.largest_hourglass", largest_hourglass);
+        archive("counts.largest_internal", largest_internal);
+        archive("counts.largest_closure_error", largest_closure_error);
+        archive("counts.deepest.overlap", deepest.overlap);
+        archive("counts.deepest.in_thicknesses", deepest.in_thicknesses);
+        archive("counts.deepest.x", deepest.place[0]);
+        archive("counts.deepest.y", deepest.place[1]);
+        archive("counts.deepest.z", deepest.place[2]);
+        archive("counts.deepest.element", deepest.element);
+        archive("counts.deepest.time", deepest.time);
+        archive("counts.touched", touched);
+        archive("counts.last_touched", last_touched);
+        archive("counts.turned_back", turned_back);
     }
 };
 

@@ -28,12 +28,12 @@ struct Ledger {
 
     template <class Archive>
     void state(Archive& archive) {
-        archive("ledger/transferred_energy", transferred_energy);
-        archive.sum("ledger/contact", contact);
-        archive.sum("ledger/damping", damping);
-        archive.sum("ledger/eroded_work", eroded_work);
-        archive.sum("ledger/eroded_friction", eroded_friction);
-        archive.sum("ledger/eroded_hourglass", eroded_hourglass);
+        archive("ledger.transferred_energy", transferred_energy);
+        archive.sum("ledger.contact", contact);
+        archive.sum("ledger.damping", damping);
+        archive.sum("ledger.eroded_work", eroded_work);
+        archive.sum("ledger.eroded_friction", eroded_friction);
+        archive.sum("ledger.eroded_hourglass", eroded_hourglass);
     }
 };
 

@@ -56,10 +56,10 @@ class Passages {
             ways.push_back(static_cast<std::int64_t>(plies_[ply]->way));
             elements.push_back(plies_[ply]->element);
         }
-        archive("passages/time", times);
-        archive("passages/ply", plies);
-        archive("passages/way", ways);
-        archive("passages/element", elements);
+        archive("passages.time", times);
+        archive("passages.ply", plies);
+        archive("passages.way", ways);
+        archive("passages.element", elements);
         for (std::size_t i = 0; i < plies.size(); ++i)
             plies_[static_cast<std::size_t>(plies[i])] = {times[i], static_cast<Way>(ways[i]), elements[i]};
     }

@@ -76,6 +76,8 @@ class Simulation {
     Balance record_balance();
 
     [[nodiscard]] double time() const { return clock_.time; }
+    /// That of the last step, s.
+    [[nodiscard]] double last_time() const { return clock_.time - clock_.last_dt; }
     [[nodiscard]] double time_step() const { return clock_.dt; }
     [[nodiscard]] std::int64_t steps() const { return clock_.steps; }
     [[nodiscard]] const Model& model() const { return model_; }

@@ -82,19 +82,19 @@ class StepBound {
     template <class Archive>
     void state(Archive& archive) {
         std::vector<double> last(last_.begin(), last_.end());
-        archive("step_bound/last", last);
+        archive("step_bound.last", last);
         std::ranges::copy_n(last.begin(), static_cast<std::ptrdiff_t>(std::min(last.size(), last_.size())),
                             last_.begin());
-        archive("step_bound/best", best_);
-        archive("step_bound/attempts", attempts_);
-        archive("step_bound/waits", waits_);
-        archive("step_bound/will_wait", will_wait_);
-        archive("step_bound/steps_to_next", steps_to_next_);
-        archive("step_bound/trigger/slack", trigger_.slack);
-        archive("step_bound/trigger/coupling", trigger_.term.coupling);
-        archive("step_bound/trigger/mass", trigger_.term.mass);
-        archive("step_bound/trigger/smallest_area", trigger_.smallest_area);
-        archive("step_bound/trigger/packing", trigger_.packing);
+        archive("step_bound.best", best_);
+        archive("step_bound.attempts", attempts_);
+        archive("step_bound.waits", waits_);
+        archive("step_bound.will_wait", will_wait_);
+        archive("step_bound.steps_to_next", steps_to_next_);
+        archive("step_bound.trigger.slack", trigger_.slack);
+        archive("step_bound.trigger.coupling", trigger_.term.coupling);
+        archive("step_bound.trigger.mass", trigger_.term.mass);
+        archive("step_bound.trigger.smallest_area", trigger_.smallest_area);
+        archive("step_bound.trigger.packing", trigger_.packing);
     }
 
   private:

@@ -13,7 +13,7 @@ namespace weavefront::state {
 
 /// One named quantity of the items of a table.
 struct Column {
-    std::string name;                  ///< with the groups it is in, separated by '/'
+    std::string name;                  ///< with the groups it is in, separated by dots
     std::vector<std::int32_t> counts;  ///< how many values each item has
     std::vector<double> values;        ///< of the items, one after the other
 };
@@ -36,7 +36,7 @@ class ColumnArchive {
     template <class Visit>
     void within(std::string_view group, Visit visit) {
         const auto length = group_.size();
-        group_.append(group).append("/");
+        group_.append(group).append(".");
         visit();
         group_.resize(length);
     }

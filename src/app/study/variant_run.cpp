@@ -58,7 +58,7 @@ void compute_variant(scene::Compute compute, const scene::Case& variant, const s
     if (compute != scene::Compute::impact) return write_curve(compute, variant, folder, comm);
     try {
         // Of a variant that the guard stops summary.json says so.
-        const auto ending = Impact(variant.scene, folder, comm, io::Terminal::silent).run();
+        const auto ending = Impact(variant.scene, folder, comm, {.terminal = io::Terminal::silent}).run();
         if (ending.kind == Ending::Kind::interrupted) throw Interrupted(ending.reason);
     } catch (const GuardStop&) {
         return;  // before its first step

@@ -1,0 +1,380 @@
+#include "weavefront/io/checkpoint.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <numeric>
+#include <system_error>
+#include <variant>
+
+#include "agreement.hpp"
+#include "checkpoint_blocks.hpp"
+#include "file_checksum.hpp"
+#include "hdf5_collective.hpp"
+#include "hdf5_group_writer.hpp"
+#include "weavefront/io/file_error.hpp"
+#include "weavefront/io/new_file.hpp"
+
+namespace weavefront::io {
+
+namespace {
+
+// Raised when a program could read the files of before wrongly.
+constexpr std::int64_t format_number = 1;
+
+hsize_t extent(std::int64_t count) { return static_cast<hsize_t>(count); }
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// One table of the file under way: where its columns go and what they hold.
+struct TableBlocks {
+    std::string name;
+    Blocks blocks;
+    std::vector<ColumnBlock> columns;
+};
+
+TableBlocks blocks_of(const std::string& name, const state::Table& table, std::int64_t total,
+                      const parallel::Communicator& comm) {
+    const Blocks blocks{total, items_of_grain, comm.size()};
+    return {name, blocks, column_blocks(table, blocks, comm)};
+}
+
+void create_values(const std::string& path, const GroupWriter& root, const state::Values& values) {
+    const GroupWriter group(path, root.get(), "values");
+    for (const auto& value : values) {
+        if (const auto* numbers = std::get_if<std::vector<double>>(&value.content))
+            group.dataset<double>(value.name, H5T_IEEE_F64LE, {numbers->size()}, *numbers);
+        else if (const auto* integers = std::get_if<std::vector<std::int64_t>>(&value.content))
+            group.dataset<std::int64_t>(value.name, H5T_STD_I64LE, {integers->size()}, *integers);
+        else
+            group.dataset<std::uint8_t>(value.name, H5T_STD_U8LE,
+                                        {std::get<std::string>(value.content).size()},
+                                        bytes_of(std::get<std::string>(value.content)));
+    }
+}
+
+/// Everything but the values of the columns, by one process.
+void create_file(const std::string& path, const CheckpointContent& content,
+                 const std::vector<TableBlocks>& tables) {
+    const H5Properties creation = creation_properties(H5P_FILE_CREATE, path);
+    H5File file(checked(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), unlocked_access(path).get()),
+                        "creating " + path));
+    const GroupWriter root = GroupWriter::root(path, file.get());
+    const auto number = [](const GroupWriter& group, const std::string& name, std::int64_t value) {
+        group.attribute<std::int64_t>(name, std::span(&value, 1), H5T_STD_I64LE);
+    };
+    number(root, "format", format_number);
+    root.attribute("version", content.version);
+    root.dataset<std::uint8_t>("scene", H5T_STD_U8LE, {content.scene.size()}, bytes_of(content.scene));
+    create_values(path, root, content.values);
+    for (const auto& table : tables) {
+        const GroupWriter group(path, root.get(), table.name);
+        number(group, "items", table.blocks.total);
+        for (const auto& column : table.columns) {
+            const GroupWriter of_column(path, group.get(), column.name);
+            number(of_column, "values_per_item", column.per_item);
+            number(of_column, "xxh3", static_cast<std::int64_t>(column.checksum));
+            (void)of_column.dataset("values", H5T_IEEE_F64LE, {extent(column.all_values)});
+            if (column.per_item < 0)
+                (void)of_column.dataset("counts", H5T_STD_I32LE, {extent(table.blocks.total)});
+        }
+    }
+    close(file, "closing " + path);
+}
+
+H5Dataset open_dataset(const H5File& file, const std::string& path, const std::string& name) {
+    return H5Dataset(
+        checked(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), "reading " + path + ": " + name));
+}
+
+void write_columns(const std::string& path, const std::vector<TableBlocks>& tables,
+                   const parallel::Communicator& comm, Agreement& agreement) {
+    H5File file;
+    agreement.attempt([&] { file = open_by_all(path, comm); });
+    agreement.settle<FileError>();
+    for (const auto& table : tables)
+        for (const auto& column : table.columns) {
+            const auto name = "/" + table.name + "/" + column.name;
+            agreement.attempt([&] {
+                write_rows<double>(open_dataset(file, path, name + "/values"), column.first_value,
+                                   column.block.values, "writing " + path + ": " + name);
+                if (column.per_item < 0)
+                    write_rows<std::int32_t>(open_dataset(file, path, name + "/counts"),
+                                             table.blocks.begin(comm.rank()), column.block.counts,
+                                             "writing " + path + ": " + name);
+            });
+        }
+    agreement.attempt([&] { close(file, "closing " + path); });
+    agreement.settle<FileError>();
+}
+
+/// Rows of a dataset of one dimension.
+template <class T>
+std::vector<T> read_rows(const H5Dataset& dataset, std::int64_t first, std::int64_t count,
+                         const std::string& doing) {
+    std::vector<T> values(static_cast<std::size_t>(count));
+    if (count == 0) return values;
+    const H5Space space(checked(H5Dget_space(dataset.get()), doing));
+    const hsize_t start = extent(first), rows = extent(count);
+    checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, &start, nullptr, &rows, nullptr), doing);
+    const H5Space memory(checked(H5Screate_simple(1, &rows, nullptr), doing));
+    checked(H5Dread(dataset.get(), native_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()),
+            doing);
+    return values;
+}
+
+std::int64_t rows_of(const H5Dataset& dataset, const std::string& doing) {
+    const H5Space space(checked(H5Dget_space(dataset.get()), doing));
+    return checked(H5Sget_simple_extent_npoints(space.get()), doing);
+}
+
+H5File open_to_read(const std::string& path) {
+    return H5File(
+        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "reading " + path));
+}
+
+/// Compares what the file holds with what it should. @throws FileError
+void require_written(const std::string& path, const std::vector<TableBlocks>& tables, int rank) {
+    const auto file = open_to_read(path);
+    for (const auto& table : tables)
+        for (const auto& column : table.columns) {
+            const auto name = "/" + table.name + "/" + column.name;
+            const auto& [counts, values] = column.block;
+            const auto doing = "reading " + path + ": " + name;
+            const auto read =
+                read_rows<double>(open_dataset(file, path, name + "/values"), column.first_value,
+                                  static_cast<std::int64_t>(values.size()), doing);
+            const bool same = values.empty() ||
+                              std::memcmp(read.data(), values.data(), values.size() * sizeof(double)) == 0;
+            const bool same_counts =
+                column.per_item >= 0 ||
+                read_rows<std::int32_t>(open_dataset(file, path, name + "/counts"), table.blocks.begin(rank),
+                                        static_cast<std::int64_t>(counts.size()), doing) == counts;
+            if (!same || !same_counts)
+                throw FileError(fmt::format("{} does not hold what was written to {}", path, name));
+        }
+}
+
+/// Takes the room of the whole file from the disk: HDF5 does not survive a disk that is full at the wrong
+/// moment.
+void reserve_room(const std::string& path) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    struct stat found {};
+    int cause = descriptor >= 0 && ::fstat(descriptor, &found) == 0 ? 0 : errno;
+    if (cause == 0 && found.st_size > 0) cause = ::posix_fallocate(descriptor, 0, found.st_size);
+    if (descriptor >= 0) ::close(descriptor);
+    if (cause != 0)
+        throw FileError(
+            fmt::format("{} cannot be written: {}", path, std::generic_category().message(cause)));
+}
+
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+    if (std::rename(from.c_str(), to.c_str()) != 0)
+        throw FileError(fmt::format("{} cannot be renamed to {}: {}", from.string(), to.string(),
+                                    std::generic_category().message(errno)));
+}
+
+}  // namespace
+
+std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
+    return path.parent_path() / (path.stem().string() + ".previous" + path.extension().string());
+}
+
+void write_checkpoint(const std::filesystem::path& path, const CheckpointContent& content,
+                      const parallel::Communicator& comm) {
+    const QuietHdf5 quiet;
+    const auto unfinished = temporary_name(path).string();
+    Agreement agreement(comm);
+    try {
+        const std::vector<TableBlocks> tables{
+            blocks_of("nodes", content.nodes, content.all_nodes, comm),
+            blocks_of("elements", content.elements, content.all_elements, comm)};
+        agreement.attempt_on_root([&] {
+            require_regular_or_missing(path);
+            ::unlink(unfinished.c_str());  // of a run that was killed
+            create_file(unfinished, content, tables);
+            reserve_room(unfinished);
+        });
+        agreement.settle<FileError>();
+        write_columns(unfinished, tables, comm, agreement);
+        agreement.attempt([&] { require_written(unfinished, tables, comm.rank()); });
+        agreement.settle<FileError>();
+        seal_file(unfinished, comm);
+        agreement.attempt_on_root([&] {
+            if (std::filesystem::exists(path)) rename_file(path, previous_checkpoint(path));
+            rename_file(unfinished, path);
+        });
+        agreement.settle<FileError>();
+    } catch (const FileError&) {
+        if (comm.rank() == 0) ::unlink(unfinished.c_str());
+        throw;
+    }
+}
+
+/// An open file, verified.
+class Checkpoint::File {
+  public:
+    File(const std::filesystem::path& path, const parallel::Communicator& comm)
+        : path_(path.string()), comm_(comm) {
+        require_sealed(path_, comm);
+        const QuietHdf5 quiet;
+        Agreement agreement(comm);
+        agreement.attempt([&] {
+            file_ = open_to_read(path_);
+            if (const auto found = number("/", "format"); found != format_number)
+                throw FileError(
+                    fmt::format("{} is of format {}, this program reads {}", path_, found, format_number));
+            version_ = text_attribute("version");
+            scene_ = text("/scene");
+            read_values();
+        });
+        agreement.settle<FileError>();
+    }
+
+    [[nodiscard]] state::Table table(const std::string& name, std::span<const std::int64_t> ids) const {
+        const QuietHdf5 quiet;
+        Agreement agreement(comm_);
+        state::Table table{{ids.begin(), ids.end()}, {}};
+        Blocks blocks{0, items_of_grain, comm_.size()};
+        std::vector<std::string> columns;
+        agreement.attempt([&] {
+            blocks.total = number("/" + name, "items");
+            if (!ids.empty() && ids.back() >= blocks.total)
+                throw FileError(fmt::format("{} holds {} {}, the scene has more", path_, blocks.total, name));
+            columns = names_in("/" + name);
+        });
+        agreement.settle<FileError>();
+        for (const auto& column : columns) {
+            const auto where = "/" + name + "/" + column;
+            RaggedValues block;
+            std::uint64_t written = 0;
+            agreement.attempt([&] {
+                written = static_cast<std::uint64_t>(number(where, "xxh3"));
+                block = read_block(where, blocks);
+            });
+            agreement.settle<FileError>();
+            if (checksum_of(block, blocks, blocks.begin(comm_.rank()), comm_) != written)
+                throw FileError(fmt::format("{} was changed: the checksum of {} is another", path_, where));
+            auto values = from_blocks(block, blocks, ids, comm_);
+            table.columns.push_back({column, std::move(values.counts), std::move(values.values)});
+        }
+        return table;
+    }
+
+    [[nodiscard]] const std::string& scene() const { return scene_; }
+    [[nodiscard]] const std::string& version() const { return version_; }
+    [[nodiscard]] const state::Values& values() const { return values_; }
+
+  private:
+    [[nodiscard]] std::string doing(const std::string& name) const {
+        return "reading " + path_ + ": " + name;
+    }
+
+    [[nodiscard]] H5Attribute attribute(const std::string& where, const std::string& name) const {
+        return H5Attribute(
+            checked(H5Aopen_by_name(file_.get(), where.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+                    doing(where + "@" + name)));
+    }
+    [[nodiscard]] std::int64_t number(const std::string& where, const std::string& name) const {
+        std::int64_t value = 0;
+        checked(H5Aread(attribute(where, name).get(), H5T_NATIVE_INT64, &value), doing(where + "@" + name));
+        return value;
+    }
+    [[nodiscard]] std::string text_attribute(const std::string& name) const {
+        const auto from = attribute("/", name);
+        const H5Type type(checked(H5Aget_type(from.get()), doing(name)));
+        std::string value(H5Tget_size(type.get()), '\0');
+        checked(H5Aread(from.get(), type.get(), value.data()), doing(name));
+        return value.substr(0, value.find('\0'));
+    }
+    [[nodiscard]] std::string text(const std::string& name) const {
+        const auto dataset = open_dataset(file_, path_, name);
+        const auto bytes = read_rows<std::uint8_t>(dataset, 0, rows_of(dataset, doing(name)), doing(name));
+        return {bytes.begin(), bytes.end()};
+    }
+
+    /// Names of what a group holds, ascending.
+    [[nodiscard]] std::vector<std::string> names_in(const std::string& name) const {
+        const H5Group group(checked(H5Gopen2(file_.get(), name.c_str(), H5P_DEFAULT), doing(name)));
+        H5G_info_t info{};
+        checked(H5Gget_info(group.get(), &info), doing(name));
+        std::vector<std::string> names;
+        for (hsize_t i = 0; i < info.nlinks; ++i) {
+            const auto length = checked(
+                H5Lget_name_by_idx(group.get(), ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0, H5P_DEFAULT),
+                doing(name));
+            std::string link(static_cast<std::size_t>(length) + 1, '\0');
+            checked(H5Lget_name_by_idx(group.get(), ".", H5_INDEX_NAME, H5_ITER_INC, i, link.data(),
+                                       link.size(), H5P_DEFAULT),
+                    doing(name));
+            link.pop_back();
+            names.push_back(std::move(link));
+        }
+        return names;
+    }
+
+    void read_values() {
+        for (const auto& name : names_in("/values")) {
+            const auto where = "/values/" + name;
+            const auto dataset = open_dataset(file_, path_, where);
+            const auto rows = rows_of(dataset, doing(where));
+            const H5Type type(checked(H5Dget_type(dataset.get()), doing(where)));
+            if (H5Tget_class(type.get()) == H5T_FLOAT)
+                values_.push_back({name, read_rows<double>(dataset, 0, rows, doing(where))});
+            else if (H5Tget_size(type.get()) == 1)
+                values_.push_back({name, text(where)});
+            else
+                values_.push_back({name, read_rows<std::int64_t>(dataset, 0, rows, doing(where))});
+        }
+    }
+
+    /// This rank's block of a column.
+    [[nodiscard]] RaggedValues read_block(const std::string& where, const Blocks& blocks) const {
+        const auto first = blocks.begin(comm_.rank()), count = blocks.begin(comm_.rank() + 1) - first;
+        const auto per_item = static_cast<std::int32_t>(number(where, "values_per_item"));
+        RaggedValues block;
+        std::int64_t before = first * per_item;
+        if (per_item >= 0) {
+            block.counts.assign(static_cast<std::size_t>(count), per_item);
+        } else {
+            // Where the values of a block begin follows from all counts before it.
+            const auto counts = read_rows<std::int32_t>(open_dataset(file_, path_, where + "/counts"), 0,
+                                                        first + count, doing(where));
+            before = std::accumulate(counts.begin(), counts.begin() + first, std::int64_t{0});
+            block.counts.assign(counts.begin() + first, counts.end());
+        }
+        const auto size = std::accumulate(block.counts.begin(), block.counts.end(), std::int64_t{0});
+        block.values =
+            read_rows<double>(open_dataset(file_, path_, where + "/values"), before, size, doing(where));
+        return block;
+    }
+
+    std::string path_;
+    const parallel::Communicator& comm_;
+    H5File file_;
+    std::string scene_, version_;
+    state::Values values_;
+};
+
+Checkpoint::Checkpoint(const std::filesystem::path& path, const parallel::Communicator& comm)
+    : file_(std::make_unique<File>(path, comm)) {}
+Checkpoint::~Checkpoint() = default;
+Checkpoint::Checkpoint(Checkpoint&&) noexcept = default;
+Checkpoint& Checkpoint::operator=(Checkpoint&&) noexcept = default;
+
+const std::string& Checkpoint::scene() const { return file_->scene(); }
+const std::string& Checkpoint::version() const { return file_->version(); }
+const state::Values& Checkpoint::values() const { return file_->values(); }
+state::Table Checkpoint::nodes(std::span<const std::int64_t> ids) const { return file_->table("nodes", ids); }
+state::Table Checkpoint::elements(std::span<const std::int64_t> ids) const {
+    return file_->table("elements", ids);
+}
+
+}  // namespace weavefront::io

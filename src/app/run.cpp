@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -8,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "commands.hpp"
@@ -82,11 +85,23 @@ io::Earlier treatment_of_earlier(const Options& options) {
     return options.overwrite ? io::Earlier::replaced : io::Earlier::refused;
 }
 
+/// A word as a shell takes it.
+std::string quoted(const std::string& word) {
+    const bool is_plain = std::ranges::all_of(word, [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("/._-=+:,").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    if (is_plain) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
 /// What continues an interrupted run, on any number of ranks.
 std::string command_to_go_on(const Options& options, const std::filesystem::path& path) {
-    auto command =
-        fmt::format("weavefront run {} --output {} --restart auto", options.scene.string(), path.string());
-    for (const auto& text : options.overrides) command += " --set '" + text + "'";
+    auto command = fmt::format("weavefront run {} --output {} --restart auto", quoted(options.scene.string()),
+                               quoted(path.string()));
+    for (const auto& text : options.overrides) command += " --set " + quoted(text);
     return command;
 }
 

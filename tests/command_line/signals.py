@@ -17,12 +17,12 @@ def check_interrupted(folder, name, whole):
     """The files are those of an uninterrupted run up to the last row, which is also the last frame."""
     found = summary(folder)
     assert (found["status"], found["reason"]) == ("interrupted", f"{name} received"), found
-    assert set(bytes_of(folder)) == FILES
+    assert set(bytes_of(folder)) - {"checkpoint.previous.h5"} == FILES | {"checkpoint.h5"}
     rows = (folder / "history.csv").read_bytes().splitlines()
     assert 1 < len(rows) < len(whole) and rows[:-1] == whole[: len(rows) - 1]
     with h5py.File(folder / "results.vtkhdf") as file:
         steps = file["VTKHDF/Steps"]
-        assert len(steps["Values"]) == steps.attrs["NSteps"] == len(steps["PointOffsets"])
+        assert len(steps["Values"]) == steps.attrs["NSteps"]
         assert steps["Values"][-1] == float(rows[-1].split(b",")[0]) == found["time"]
     assert f"Interrupted at t = {found['time'] * 1e6:.6g} us" in (folder / "run.log").read_text()
 
@@ -45,7 +45,8 @@ def main():
             os.kill(pids[-1], sent)
             text = process.communicate(timeout=60)[1]
             assert process.returncode == 4, (ranks, sent, process.returncode, text)
-            assert errors_of(text) == [f"{sent.name} received: {output} holds the run up to there"], text
+            (error,) = errors_of(text)
+            assert error.startswith(f"{sent.name} received: a checkpoint was written; to go on: weavefront run "), error
             check_interrupted(output, sent.name, whole)
 
         # mpirun passes this one on to all ranks and waits for them.

@@ -85,11 +85,12 @@ class Impact::Run {
         if (ending.kind == Ending::Kind::stopped) write_last_good_frame(ending.reason);
         progress.finish();
         if (load_ && !is_rebalanced_) report_.never_rebalanced(load_->worst());
-        report_.finish(simulation_, last_, ending, directory_.path(), history_->hash());
         // A run that goes on needs the room.
         if (ending.kind != Ending::Kind::interrupted && !results_->cut())
             log_.warn(
                 "results.vtkhdf keeps room for more frames: the disk cannot hold a shorter copy beside it");
+        results_.reset();  // what is hashed is complete
+        report_.finish(simulation_, last_, ending, directory_.path(), history_->hash());
         return ending;
     }
 

@@ -14,6 +14,7 @@
 #include "versions.hpp"
 #include "warnings.hpp"
 #include "weavefront/io/progress.hpp"
+#include "weavefront/io/sha256.hpp"
 #include "weavefront/io/summary.hpp"
 #include "weavefront/parallel/all_to_all.hpp"
 #include "weavefront/solver/outcome.hpp"
@@ -204,6 +205,8 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     summary.status = status_of(ending.kind);
     summary.reason = ending.reason;
     summary.history_sha256 = history_hash;
+    if (comm_.rank() == 0 && ending.kind != Ending::Kind::interrupted)
+        summary.results_sha256 = io::sha256_of_file(directory / "results.vtkhdf");
     summary.versions = library_versions();
     summary.scene_hash = scene_.hash;
     summary.title = scene_.title;

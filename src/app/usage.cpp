@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -15,11 +16,10 @@ namespace weavefront::app {
 namespace {
 
 constexpr std::array<std::string_view, 1> later_subcommands{"v50"};
-constexpr std::array<std::string_view, 0> later_options{};
 
-template <typename Later>
 void refuse_unless_known(std::string_view kind, const std::string& word,
-                         const std::vector<std::string>& known, const Later& later) {
+                         const std::vector<std::string>& known,
+                         std::span<const std::string_view> later = {}) {
     if (std::ranges::find(known, word) != known.end()) return;
     if (std::ranges::find(later, word) != later.end()) {
         throw scene::InputError({fmt::format("{} '{}': not available in this version", kind, word)});
@@ -48,8 +48,7 @@ void refuse_unknown(const CLI::App& app, std::span<const std::string> arguments)
     for (const std::string& argument : arguments) {
         if (argument == "--") return;
         if (argument.starts_with("--")) {
-            refuse_unless_known("option", argument.substr(0, argument.find('=')), long_options(*scope),
-                                later_options);
+            refuse_unless_known("option", argument.substr(0, argument.find('=')), long_options(*scope));
         } else if (scope == &app && !argument.starts_with('-')) {
             refuse_unless_known("subcommand", argument, subcommands, later_subcommands);
             scope = app.get_subcommand(argument);

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "agreement.hpp"
 #include "weavefront/io/file_error.hpp"
@@ -35,30 +36,42 @@ bool on_terminal() {
 class FileSink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
   public:
     FileSink(const std::filesystem::path& path, LogStart start)
-        : file_(start == LogStart::continued && std::filesystem::exists(path)
-                    ? NewFile::appended_to(path)
-                    : std::make_unique<NewFile>(path)) {}
+        : is_held_back_(start == LogStart::continued && std::filesystem::exists(path)),
+          file_(is_held_back_ ? NewFile::appended_to(path) : std::make_unique<NewFile>(path)) {}
     ~FileSink() override {
         if (lost_ > 1) std::fprintf(stderr, "warning: run.log lacks %d lines\n", lost_);
     }
     FileSink(const FileSink&) = delete;
     FileSink& operator=(const FileSink&) = delete;
 
-    void publish() { file_->publish(); }
+    void publish() {
+        file_->publish();
+        if (std::exchange(is_held_back_, false)) append(std::exchange(held_back_, {}));
+    }
 
   private:
     void sink_it_(const spdlog::details::log_msg& message) override {
         spdlog::memory_buf_t line;
         formatter_->format(message, line);
+        append({line.data(), line.size()});
+    }
+    void flush_() override {}
+
+    void append(std::string_view text) {
+        if (is_held_back_) {
+            held_back_ += text;
+            return;
+        }
         try {
-            file_->append({line.data(), line.size()});
+            file_->append(text);
         } catch (const FileError& failure) {
             if (++lost_ == 1)
                 std::fprintf(stderr, "warning: a line of the log is lost: %s\n", failure.what());
         }
     }
-    void flush_() override {}
 
+    bool is_held_back_;  // a log that goes on is not touched before the run is certain to start
+    std::string held_back_;
     std::unique_ptr<NewFile> file_;
     int lost_ = 0;
 };

@@ -55,7 +55,8 @@ Json to_json(const Summary& summary) {
             {"eroded_elements", summary.eroded_elements},
             {"first_break", first_break},
             {"left_out", summary.left_out},
-            {"history_sha256", summary.history_sha256}};
+            {"history_sha256", summary.history_sha256},
+            {"results_sha256", summary.results_sha256}};
 }
 
 // JSON has no infinities: the library would write null, which reads as "does not apply".

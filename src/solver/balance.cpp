@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "misses.hpp"
+#include "weavefront/solver/central_difference.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/simulation.hpp"
@@ -88,9 +89,10 @@ void Simulation::add_nodal_energies(LedgerSums& sums) const {
         }
     for (; n < count; ++n) {
         if (!nodes.owned[n]) continue;
-        const Vec3 next = updated_velocity(n), acceleration = (next - nodes.v[n]) / step;
+        const Vec3 &v = nodes.v[n], next = updated_velocity(n);
+        const Vec3 acceleration = acceleration_between(v, next, step);
         sums.add(LedgerSums::kinetic,
-                 nodes.mass[n] * nodes.v[n].dot(nodes.v[n] + clock_.last_dt * acceleration) / 2);
+                 nodes.mass[n] * v.dot(opposite_velocity(v, acceleration, clock_.last_dt)) / 2);
         if (scene_.damping > 0) sums.add(LedgerSums::damping, damping_work(n, next, clock_.last_dt, 0));
     }
 }
@@ -153,8 +155,9 @@ void Simulation::add_projectile(Balance& balance) const {
     balance.projectile = p.position;
     balance.projectile_velocity = projectile_velocity();
     balance.contact_force = projectile_force_;
-    balance.kinetic_projectile =
-        scene_.projectile->mass * p.velocity.dot(p.velocity + clock_.last_dt * acceleration) / 2;
+    balance.kinetic_projectile = scene_.projectile->mass *
+                                 p.velocity.dot(opposite_velocity(p.velocity, acceleration, clock_.last_dt)) /
+                                 2;
 }
 
 void Simulation::close(Balance& balance) const {

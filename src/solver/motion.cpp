@@ -2,6 +2,7 @@
 
 #include "weavefront/fabric/integers.hpp"
 #include "weavefront/fabric/vectors.hpp"
+#include "weavefront/solver/central_difference.hpp"
 
 namespace weavefront::solver {
 
@@ -31,7 +32,8 @@ void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, d
         for_blocks([&]<int block>() __attribute__((always_inline)) {
             constexpr auto at = block * together;
             const Pack f = to_pack(fabric::Integers::load(force + at)) * quantum;
-            const Pack next = Pack::load_anywhere(v + at) + step * (f / fabric::spread<block>(mass));
+            const Pack acceleration = f / fabric::spread<block>(mass);
+            const Pack next = next_velocity(Pack::load_anywhere(v + at), acceleration, step);
             next.store_anywhere(v + at);
             (Pack::load_anywhere(x + at) + dt * next).store_anywhere(x + at);
         });
@@ -39,13 +41,14 @@ void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, d
     for (std::size_t n = whole; n < count; ++n)
         for (std::size_t d = 0; d < 3; ++d) {
             const auto i = static_cast<Eigen::Index>(d);
-            nodes.v[n][i] += step * (scale.to(nodes.force[n][d]) / nodes.mass[n]);
+            const double acceleration = scale.to(nodes.force[n][d]) / nodes.mass[n];
+            nodes.v[n][i] = next_velocity(nodes.v[n][i], acceleration, step);
             nodes.x[n][i] += dt * nodes.v[n][i];
         }
 }
 
 std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const parallel::FixedPoint& scale,
-                                                      std::size_t first, double step, double backward) {
+                                                      std::size_t first, double step, double last_dt) {
     static_assert(energies_at_once == together);
     const double quantum = scale.quantum();
     const Pack mass = Pack::load_anywhere(&nodes.mass[first]);
@@ -56,8 +59,9 @@ std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const 
         constexpr auto at = block * together;
         const Pack f = to_pack(fabric::Integers::load(force + at)) * quantum,
                    now = Pack::load_anywhere(v + at);
-        const Pack next = now + step * (f / fabric::spread<block>(mass)), acceleration = (next - now) / step;
-        (now * (now + backward * acceleration)).store_anywhere(products.data() + at);
+        const Pack next = next_velocity(now, Pack(f / fabric::spread<block>(mass)), step);
+        const Pack acceleration = acceleration_between(now, next, step);
+        (now * opposite_velocity(now, acceleration, last_dt)).store_anywhere(products.data() + at);
     });
     std::array<double, energies_at_once> energies;
     for (std::size_t n = 0; n < together; ++n)

@@ -8,6 +8,7 @@
 
 #include "free_edges.hpp"
 #include "misses.hpp"
+#include "weavefront/solver/central_difference.hpp"
 #include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/motion.hpp"
 #include "weavefront/solver/redistribution.hpp"
@@ -317,6 +318,13 @@ void Simulation::hold_supports() {
             if (model_.nodes.supports[n] & (1U << d)) model_.nodes.force[n][d] = 0;
 }
 
+Vec3 Simulation::updated_velocity(std::size_t node) const {
+    const auto& v = model_.nodes.v[node];
+    const Vec3 acceleration = model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node];
+    const double step = clock_.velocity_step(), drag = scene_.damping * step / 2;
+    return drag == 0 ? next_velocity(v, acceleration, step) : next_velocity(v, acceleration, step, drag);
+}
+
 void Simulation::move_nodes() {
     auto& nodes = model_.nodes;
     if (scene_.damping > 0) {
@@ -401,14 +409,14 @@ void Simulation::release_debris_nodes() {
 }
 
 Vec3 Simulation::velocity(std::size_t node) const {
-    const Vec3 &v = model_.nodes.v[node],
-               acceleration = (updated_velocity(node) - v) / (clock_.velocity_step());
-    return v + clock_.last_dt / 2 * acceleration;
+    const auto& v = model_.nodes.v[node];
+    const Vec3 acceleration = acceleration_between(v, updated_velocity(node), clock_.velocity_step());
+    return present_velocity(v, acceleration, clock_.last_dt);
 }
 
 Vec3 Simulation::projectile_velocity() const {
     const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
-    return model_.projectile->velocity + clock_.last_dt / 2 * acceleration;
+    return present_velocity(model_.projectile->velocity, acceleration, clock_.last_dt);
 }
 
 }  // namespace weavefront::solver

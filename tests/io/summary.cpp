@@ -41,7 +41,8 @@ Summary sample() {
             .eroded_elements = 8,
             .first_break = {2.5e-5, std::nullopt},
             .left_out = {"friction"},
-            .history_sha256 = "ab12"};
+            .history_sha256 = "ab12",
+            .results_sha256 = "cd34"};
 }
 
 TEST(Summary, HoldsEveryKey) {
@@ -57,7 +58,8 @@ TEST(Summary, HoldsEveryKey) {
         "peak_back_face_deflection": 0.0139, "deepest_penetration": 2e-4, "deepest_at": [1e-3, 2e-3, 3e-3], "deepest_ply": 1,
         "deepest_time": 6e-5}, "residual_velocity": -12.25, "max_displacement": 0.0141,
         "back_face_deflection": 0.0139, "energy_error": 1e-4, "broken_yarns": 7, "eroded_elements": 8, "first_break": [2.5e-5, null], "left_out": ["friction"],
-        "history_sha256": "ab12"})");
+        "history_sha256": "ab12",
+        "results_sha256": "cd34"})");
     EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json")), expected);
     EXPECT_FALSE(std::filesystem::exists(directory / "summary.json.new"));
 }

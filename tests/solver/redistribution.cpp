@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "small_scene.hpp"
 
@@ -68,6 +69,33 @@ TEST(Redistribution, LeavesNoTraceInAPerforation) {
 TEST(Redistribution, LeavesNoTraceInTheTimeStepOfSlackYarns) {
     const auto end = expect_no_trace(slack, 400);
     EXPECT_LT(end.projectile_velocity.z(), 140);
+}
+
+TEST(SavedState, IsAllThatARunDependsOn) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    if (comm.size() > 1) GTEST_SKIP() << "files bring state to other ranks: tests/restart";
+    for (const auto* overrides : {&perforated, &slack}) {
+        const auto scene = scene_with(*overrides);
+        Simulation whole(scene, comm);
+        for (int n = 0; n < 300; ++n) whole.advance_forces(), whole.integrate();
+        auto saved = whole.save();
+        Simulation next(scene, comm);
+        next.restore(std::move(saved));
+        for (int n = 0; n < 200; ++n) {
+            whole.advance_forces();
+            next.advance_forces();
+            const auto a = whole.record_balance(), b = next.record_balance();
+            ASSERT_EQ(a.projectile_velocity, b.projectile_velocity) << n;
+            ASSERT_EQ(a.internal, b.internal) << n;
+            ASSERT_EQ(a.contact, b.contact) << n;
+            ASSERT_EQ(a.transferred_energy, b.transferred_energy) << n;
+            ASSERT_EQ(whole.time(), next.time()) << n;
+            whole.integrate();
+            next.integrate();
+        }
+        EXPECT_EQ(whole.counts().broken_yarns, next.counts().broken_yarns);
+        EXPECT_EQ(whole.counts().first_break, next.counts().first_break);
+    }
 }
 
 }  // namespace

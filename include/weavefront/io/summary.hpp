@@ -60,6 +60,7 @@ struct Summary {
         first_break;  ///< time at which the first yarn of each ply broke, s; null: all whole
     std::vector<std::string> left_out;  ///< what the scene does not ask for
     std::string history_sha256;         ///< of history.csv, 64 hex digits
+    std::string results_sha256;         ///< of results.vtkhdf; empty: not computed
 };
 
 /// Writes the summary as a whole or not at all: under a temporary name first, then renamed.

@@ -6,11 +6,7 @@
 
 namespace weavefront::solver {
 
-/// Positions x and forces f stand at the times t_n, velocities v in the middle of the steps:
-///
-///     v(n+1/2) = v(n-1/2) + (dt(n-1) + dt(n))/2 f(n)/m
-///     x(n+1)   = x(n) + dt(n) v(n+1/2)
-///     v(n)     = v(n-1/2) + dt(n-1)/2 f(n)/m
+/// Positions and forces stand at the times t(n), velocities in the middle of the steps.
 struct Clock {
     double time = 0;         ///< t_n, s
     double dt = 0;           ///< from this state to the next, s

@@ -20,14 +20,14 @@ void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, d
 /// Nodes whose energies are computed at once.
 inline constexpr std::size_t energies_at_once = 8;
 
-/// Kinetic energies of nodes without damping, J: m v.(v + backward a)/2 with a = ((v + step f/m) - v)/step,
-/// the bits of one after the other.
+/// Kinetic energies of nodes without damping, J, with which the ledger closes; the bits of one after the
+/// other.
 /// @param first    of the nodes; as many follow as are computed at once
 /// @param step     from the middle of the last step to that of the next one, s
-/// @param backward the last step, s
+/// @param last_dt  the last step, s
 [[nodiscard]] std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes,
                                                                     const parallel::FixedPoint& scale,
                                                                     std::size_t first, double step,
-                                                                    double backward);
+                                                                    double last_dt);
 
 }  // namespace weavefront::solver

@@ -130,15 +130,8 @@ class Simulation {
     [[nodiscard]] bool moved_far() const;
     [[nodiscard]] Vec3 without_mirrored(Vec3 force) const;
     /// Change of a node's velocity without damping. @param step from the middle of the last step to that of
-    /// this one, s
-    [[nodiscard]] Vec3 velocity_increment(std::size_t node, double step) const {
-        return step * (model_.assembly.value(model_.nodes.force[node]) / model_.nodes.mass[node]);
-    }
-    [[nodiscard]] Vec3 updated_velocity(std::size_t node) const {
-        const double step = clock_.velocity_step(), drag = scene_.damping * step / 2;
-        if (drag == 0) return model_.nodes.v[node] + velocity_increment(node, step);
-        return ((1 - drag) * model_.nodes.v[node] + velocity_increment(node, step)) / (1 + drag);
-    }
+    /// Velocity of a local node in the middle of this step, m/s.
+    [[nodiscard]] Vec3 updated_velocity(std::size_t node) const;
     void look_for_passages();
 
     struct LedgerSums;

@@ -98,6 +98,10 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& path, const parall
     std::string refused;
     Agreement agreement(comm);
     agreement.attempt_on_root([&] {
+        if (earlier == Earlier::continued && !is_there(path)) {
+            refused = refusal(path, earlier);
+            return;
+        }
         is_created_ = create_writable(path);
         lock_ = std::make_unique<RunLock>(path);
         refused = refusal(path, earlier);

@@ -22,7 +22,7 @@ bool is_apart(const ProjectileShape& shape, const ProjectileState& projectile, c
 ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law,
                                      std::optional<double> spacing, const Surface& surface,
                                      std::span<const Vec3> x)
-    : quadrature_(spacing), rules_(rules_for(quadrature_, surface, x)), memories_(surface.owned) {
+    : quadrature_(spacing, surface, x), memories_(surface.owned) {
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(projectile, ply.thickness / 2);
         laws_.emplace_back(law, ply.areal_density);  // damps as if the projectile stood still
@@ -56,7 +56,7 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
         const Vec3 middle = projectile.position + Vec3(0, 0, (shape.front() + shape.rear()) / 2);
         const RigidPair pair{.facet = facet,
                              .area = surface.areas[index],
-                             .rule = quadrature_.rule(rules_[index]),
+                             .rule = quadrature_.rule(f),
                              .law = laws_[ply],
                              .thickness = surface.plies[ply].thickness,
                              .body = Master::projectile,

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "weavefront/contact/bilinear_quad.hpp"
+
 namespace weavefront::contact {
 
 namespace {
@@ -29,10 +31,7 @@ Rays one_ray(const Vec3& origin, const Vec3& direction) {
 // the map's Jacobian, so one root is the point of the facet and the other lies where the map is turned over.
 RayHits intersect(const Rays& rays, const std::array<Vec3, 4>& corners) {
     const Vec3 e = corners[2] - corners[0], f = corners[3] - corners[1], normal = e.cross(f);
-    const Vec3 c0 = (corners[0] + corners[1] + corners[2] + corners[3]) / 4,
-               c1 = (corners[1] + corners[2] - corners[0] - corners[3]) / 4,
-               c2 = (corners[2] + corners[3] - corners[0] - corners[1]) / 4,
-               c3 = (corners[0] + corners[2] - corners[1] - corners[3]) / 4;
+    const BilinearMap map(corners);
     RayHits hits;
     Lanes beyond;
     for (std::size_t i = 0; i < batch_width; ++i) {
@@ -59,9 +58,10 @@ RayHits intersect(const Rays& rays, const std::array<Vec3, 4>& corners) {
         const double xi = (s0 + s3 * m + d0 + d3 * m) / 2, eta = (s0 + s3 * m - d0 - d3 * m) / 2;
         hits.xi[i] = xi;
         hits.eta[i] = eta;
-        hits.distance[i] = (c0.x() + c1.x() * xi + c2.x() * eta + c3.x() * xi * eta - ox) * nx +
-                           (c0.y() + c1.y() * xi + c2.y() * eta + c3.y() * xi * eta - oy) * ny +
-                           (c0.z() + c1.z() * xi + c2.z() * eta + c3.z() * xi * eta - oz) * nz;
+        hits.distance[i] =
+            (map.c.x() + map.t1.x() * xi + map.t2.x() * eta + map.t3.x() * xi * eta - ox) * nx +
+            (map.c.y() + map.t1.y() * xi + map.t2.y() * eta + map.t3.y() * xi * eta - oy) * ny +
+            (map.c.z() + map.t1.z() * xi + map.t2.z() * eta + map.t3.z() * xi * eta - oz) * nz;
         // The larger parent coordinate, or one beyond every facet.
         const double larger = std::abs(xi) > std::abs(eta) ? std::abs(xi) : std::abs(eta);
         const double facing_it = facing > 0 ? larger : 2.0, real = discriminant >= 0 ? facing_it : 2.0;

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/contact/facet_quadrature.hpp"
 #include "weavefront/contact/frame.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
-#include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
 
@@ -42,8 +42,7 @@ class FrameContact {
     };
     std::vector<FrameShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;    ///< by ply
-    Quadrature quadrature_;
-    mesh::Repeated<std::int32_t> rules_;        ///< of the owned facets
+    FacetQuadrature quadrature_;
     FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets
 };
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/contact/facet_quadrature.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/projectile.hpp"
-#include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/contact/swept_bounds.hpp"
@@ -65,8 +65,7 @@ class ProjectileContact {
 
     std::vector<ProjectileShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;         ///< by ply
-    Quadrature quadrature_;
-    mesh::Repeated<std::int32_t> rules_;        ///< of the owned facets
+    FacetQuadrature quadrature_;
     std::vector<std::int32_t> candidates_;      ///< owned facets
     FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets
 };

@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
+#include "weavefront/contact/bilinear_quad.hpp"
 #include "weavefront/contact/depth.hpp"
-#include "weavefront/contact/lanes.hpp"
 #include "weavefront/mesh/vec3.hpp"
 
 namespace weavefront::contact {
@@ -33,14 +33,14 @@ class PushDirections {
 
     /// At a point in the body. Not of unit length in between of the two normals.
     /// @param N shape functions, [corner]
-    [[nodiscard]] Vec3 at(const Depth& depth, const std::array<Lanes, 4>& N, std::size_t i) const;
+    [[nodiscard]] Vec3 at(const Depth& depth, const ShapeFunctions& N, std::size_t i) const;
 
     /// The depth of a point that has just left the body, which then tells no normal.
     /// @param away direction from the body to the facet, of any length
-    [[nodiscard]] Depth left_behind(const Vec3& away, const std::array<Lanes, 4>& N, std::size_t i) const;
+    [[nodiscard]] Depth left_behind(const Vec3& away, const ShapeFunctions& N, std::size_t i) const;
 
   private:
-    [[nodiscard]] Vec3 ply_normal(const std::array<Lanes, 4>& N, std::size_t i) const;
+    [[nodiscard]] Vec3 ply_normal(const ShapeFunctions& N, std::size_t i) const;
 
     PlyNormals of_ply_;
     double area_, curvature_ = 0;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "weavefront/contact/bilinear_quad.hpp"
 #include "weavefront/contact/lanes.hpp"
 #include "weavefront/mesh/vec3.hpp"
 
@@ -16,7 +17,7 @@ namespace weavefront::contact {
 /// Up to eight points of a quad: shape functions and shares of its area. Lanes beyond `count` repeat the last
 /// point with no share.
 struct QuadratureBatch {
-    std::array<Lanes, 4> N{};
+    ShapeFunctions N{};
     Lanes share{};
     std::size_t count = 0;
 };

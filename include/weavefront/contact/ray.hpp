@@ -5,6 +5,7 @@
 #include <array>
 
 #include "weavefront/contact/lanes.hpp"
+#include "weavefront/mesh/vec3.hpp"
 
 namespace weavefront::contact {
 

@@ -49,16 +49,6 @@ void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet
         memory->points = std::vector<Point>();
 }
 
-/// Rules of the initial shapes of a surface's owned facets. @param x initial positions, m
-inline mesh::Repeated<std::int32_t> rules_for(Quadrature& quadrature, const Surface& surface,
-                                              std::span<const Vec3> x) {
-    mesh::Repeated<std::int32_t> rules;
-    rules.one_ply.reserve(surface.areas.one_ply.size());
-    for (std::size_t f = 0; f < surface.areas.one_ply.size(); ++f)
-        rules.one_ply.push_back(quadrature.rule_for(corners_of(surface.facets[f].nodes, x)));
-    return rules;
-}
-
 /// Integrates the pressure over the points of a facet.
 /// @param x, v    positions and velocities of the nodes, m, m/s
 /// @param dt      the last step, s

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "weavefront/contact/lanes.hpp"
+#include "weavefront/contact/bilinear_quad.hpp"
 #include "weavefront/mesh/repeated.hpp"
 #include "weavefront/mesh/vec3.hpp"
 
@@ -93,12 +93,12 @@ struct PairForce {
 
     /// The force at one point of a batch. @param on_slave_point N @param slave_N, master_N shape functions of
     /// the two facets
-    void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N,
-             const std::array<Lanes, 4>& master_N, std::size_t lane) {
+    void add(const Vec3& on_slave_point, const ShapeFunctions& slave_N, const ShapeFunctions& master_N,
+             std::size_t lane) {
         add(on_slave_point, slave_N, lane);
         for (std::size_t a = 0; a < 4; ++a) on_master[a] -= master_N[a][lane] * on_slave_point;
     }
-    void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N, std::size_t lane) {
+    void add(const Vec3& on_slave_point, const ShapeFunctions& slave_N, std::size_t lane) {
         for (std::size_t a = 0; a < 4; ++a) on_slave[a] += slave_N[a][lane] * on_slave_point;
         total += on_slave_point;
     }

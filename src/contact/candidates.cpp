@@ -39,7 +39,7 @@ class Bins {
             const auto bin = index(i, j);
             for (auto k = first_[bin]; k < first_[bin + 1]; ++k) {
                 const auto& [facet, first_column, first_row] = listed_[static_cast<std::size_t>(k)];
-                // Of the bins that both touch it counts in the first.
+                // A facet is used in the first of the bins that it shares with the footprint.
                 if ((first_column || i == around.i0) && (first_row || j == around.j0) &&
                     footprint.near(footprints_[static_cast<std::size_t>(facet)], reach))
                     use(facet);
@@ -64,7 +64,7 @@ class Bins {
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const {
         return static_cast<std::size_t>(j * nx_ + i);
     }
-    // Fragments can fly far: past 4096 bins a side the last bin takes the rest.
+    // Fragments can fly far. Past 4096 bins a side the last bin takes all others.
     [[nodiscard]] std::int64_t count(double extent) const {
         return static_cast<std::int64_t>(std::clamp(extent / size_, 0.0, 4095.0)) + 1;
     }

@@ -7,7 +7,7 @@ namespace weavefront::contact {
 
 void NodalNormals::rebuild(const Surface& surface, std::size_t nodes) {
     std::vector<std::int32_t> next(nodes + 1,
-                                   0);  // while they are sorted in: where each node's begin, and then end
+                                   0);  // by node: first of its facets, and after sorting the end of them
     for (const auto& facet : surface.facets)
         for (const auto node : facet.nodes) ++next[static_cast<std::size_t>(node) + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
@@ -47,8 +47,8 @@ Vec3 NodalNormals::at(std::int32_t node, const Surface& surface, std::span<const
         };
         sum += (corner(2) - corner(0)).cross(corner(3) - corner(1)) / 2;
     }
-    // Add the mirror image of the facets around a node on a plane of symmetry; such a node is held in the
-    // plane, at exactly 0.
+    // A node on a plane of symmetry is held at exactly 0 and has mirrored facets on the other side. They
+    // double the sum in the plane and cancel it across the plane.
     for (int d = 0; d < 2; ++d)
         if (surface.symmetry[static_cast<std::size_t>(d)] && x[n][d] == 0) {
             sum *= 2;

@@ -25,7 +25,7 @@ ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const 
     : quadrature_(spacing, surface, x), memories_(surface.owned) {
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(projectile, ply.thickness / 2);
-        laws_.emplace_back(law, ply.areal_density);  // damps as if the projectile stood still
+        laws_.emplace_back(law, ply.areal_density);  // damping takes the projectile for infinitely heavy
     }
 }
 
@@ -62,8 +62,8 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
                              .body = Master::projectile,
                              .away = (box.low + box.high) / 2 - middle,
                              .body_velocity = projectile.velocity};
-        // Near enough for the side on which a point comes in to be noted before it does; before the first
-        // step nothing is known of the way.
+        // Points within the margin note their side before they enter the projectile. Before the first step
+        // their velocities are not known.
         double fastest = 0;
         for (const auto node : facet.nodes)
             fastest =

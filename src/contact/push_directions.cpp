@@ -7,8 +7,8 @@ namespace weavefront::contact {
 
 namespace {
 
-/// The normal of the ply on the side to which the body pushes, of unit length; that of the body where the ply
-/// is seen edge-on or has none.
+/// Unit normal of the ply, on the side to which the body pushes. The normal of the body where the ply is seen
+/// edge-on or has no normal.
 Vec3 facing(const Vec3& of_ply, const Vec3& of_body) {
     constexpr double cos_60 = 0.5;
     const double length = of_ply.norm(), along = of_ply.dot(of_body);
@@ -16,7 +16,7 @@ Vec3 facing(const Vec3& of_ply, const Vec3& of_body) {
     return (along > 0 ? 1 : -1) / length * of_ply;
 }
 
-/// The largest turn of the normal over an edge, over its length, 1/m.
+/// Largest curvature of the ply along an edge of the facet: turn of the normal over length, 1/m.
 double largest_curvature(const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals) {
     double largest = 0;
     for (std::size_t a = 0; a < 4; ++a) {

@@ -39,8 +39,8 @@ QuadratureRule quadrature(int n, int m) {
 std::int32_t Quadrature::rule_for(const std::array<Vec3, 4>& corners) {
     int n = 0, m = 0;
     if (spacing_) {
-        // An element as long as a whole number of spacings takes that many points, whatever the rounding of
-        // its corners.
+        // The tolerance keeps an element of a whole number of spacings at that number of points in spite of
+        // rounding.
         const auto points = [&](double length) {
             return std::clamp(static_cast<int>(std::ceil(length / *spacing_ * (1 - 1e-9))), 1, most_);
         };

@@ -8,7 +8,7 @@ namespace weavefront::contact {
 namespace {
 
 NodeBox box_around(std::span<const std::int32_t> nodes, std::span<const Vec3> v) {
-    // Two by turns: comparisons that need not wait for each other.
+    // Two boxes in turn: their comparisons do not wait for each other.
     NodeBox box(v, nodes.front()), other(v, nodes.back());
     for (std::size_t k = 1; k + 1 < nodes.size(); k += 2) box.add(v, nodes[k]), other.add(v, nodes[k + 1]);
     box.add(other);

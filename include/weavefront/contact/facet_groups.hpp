@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Facets that lie side by side.
+/// Groups of neighbouring facets.
 
 #include <cstdint>
 #include <span>
@@ -13,19 +13,22 @@ namespace weavefront::contact {
 /// Patches of at most 16 neighbouring facets, each of one ply.
 class FacetGroups {
   public:
-    /// Appends groups of the facets with local indices from `first` to before `end`, in place of those
-    /// appended from `first` on before.
+    /// Appends the groups of the facets [first, end). They replace all earlier groups of facets from `first`
+    /// on.
+    /// @param x positions that define the neighbourhood, m
     void group(const Surface& surface, std::span<const Vec3> x, std::int32_t first, std::int32_t end);
 
+    /// Number of groups.
     [[nodiscard]] std::int32_t count() const { return static_cast<std::int32_t>(first_.size()) - 1; }
+    /// Local indices of the facets of a group.
     [[nodiscard]] std::span<const std::int32_t> facets(std::int32_t group) const {
         return within(facets_, first_, group);
     }
-    /// How many facets are in the groups before.
+    /// Number of facets in all groups before this one.
     [[nodiscard]] std::size_t before(std::int32_t group) const {
         return static_cast<std::size_t>(first_[static_cast<std::size_t>(group)]);
     }
-    /// Nodes of its facets, each once.
+    /// Local nodes of the facets of a group, each once, ascending.
     [[nodiscard]] std::span<const std::int32_t> nodes(std::int32_t group) const {
         return within(nodes_, first_node_, group);
     }

@@ -15,8 +15,8 @@
 
 namespace weavefront::contact {
 
-/// The frame holds the fabric back from one side only: fabric may slide on it and lift off, but not pass.
-/// It pushes along the same normals as the projectile.
+/// One-sided contact: fabric may slide on the frame and lift off, but cannot pass through it. The frame
+/// pushes along the same directions as the projectile, see PushDirections.
 class FrameContact {
   public:
     /// The last ply of `surface` rests on the frame at the start. @param x initial positions, m
@@ -27,13 +27,14 @@ class FrameContact {
     /// @param normals of the plies, at these positions
     /// @param v       velocities over the last step, m/s
     /// @param dt      the last step, s
-    /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
+    /// @param sliding_share part of the overlap caused by sliding that may press, see Surroundings
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
                   std::span<const Vec3> v, double dt, double sliding_share, ContactForces& forces);
 
-    /// Memory of the points of an owned facet, to be taken up on another rank.
+    /// Appends the state of an owned facet to a record, for another rank.
     void save(std::int32_t facet, std::vector<double>& record) const;
-    /// @param record of `save`, with anything after it. @return what comes after it
+    /// Sets the state of an owned facet. @param record starts with the numbers of `save` @return the rest of
+    /// it
     std::span<const double> restore(std::int32_t facet, std::span<const double> record);
 
   private:

@@ -1,8 +1,8 @@
 #pragma once
 /// @file
-/// Eight contact points of one facet at once. Loops over lanes are left to the compiler to vectorise; the
-/// lanes of a batch are always the same points of the same facet, so what a lane yields may depend on the
-/// others and is still the same on every rank.
+/// Batches of eight contact points of one facet. The compiler vectorises loops over their lanes. The lanes of
+/// a batch are the same points of the same facet on every rank, so results may depend on all lanes of a
+/// batch.
 
 #include <array>
 #include <bit>

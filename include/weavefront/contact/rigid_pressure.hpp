@@ -19,7 +19,7 @@
 
 namespace weavefront::contact {
 
-/// The facet at hand and what acts on its points.
+/// A facet and the rigid body that presses on its points.
 struct RigidPair {
     const Facet& facet;
     double area;  ///< initial, m2
@@ -31,14 +31,14 @@ struct RigidPair {
     Vec3 body_velocity{0, 0, 0};  ///< m/s
 };
 
-/// What a facet remembers of a rigid body. `Point` has a member `penetration`.
+/// State of a facet's contact with a rigid body. `Point` has a member `penetration`.
 template <class Point>
 struct RigidMemory {
-    std::vector<Point> points;     ///< none away from the body
-    double dissipated_budget = 0;  ///< see PenaltyLaw, J/m2
+    std::vector<Point> points;     ///< empty away from the body
+    double dissipated_budget = 0;  ///< J/m2, see PenaltyLaw
 };
 
-/// Forgets the points of a facet, which is away from the body.
+/// Drops the points of a facet away from the body. Its dissipated budget stays.
 template <class Point>
 void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet) {
     auto* memory = memories.find(facet);
@@ -49,13 +49,13 @@ void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet
         memory->points = std::vector<Point>();
 }
 
-/// Integrates the pressure over the points of a facet.
+/// Integrates the pressure of a rigid body over the points of a facet.
 /// @param x, v    positions and velocities of the nodes, m, m/s
 /// @param dt      the last step, s
 /// @param sliding_share see Surroundings
-/// @param depth   function of a position and of the memory of the point: its depth in the body, or nothing
-/// @param normals function that gives the PlyNormals of the facet, called when the first point is in the body
-/// @param forces  what the facet does is appended
+/// @param depth   function of a position and the state of a point; returns the depth in the body, or none
+/// @param normals function that returns the PlyNormals of the facet; called only if a point is in the body
+/// @param forces  the force and sliding energy of the facet are appended
 template <class Point, class DepthOf, class NormalsOf>
 void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
            double sliding_share, RigidMemory<Point>& memory, DepthOf depth, NormalsOf normals,
@@ -82,7 +82,7 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
             const Vec3 direction = directions->at(at, batch.N, i);
             const Vec3 relative = pair.body_velocity - at_point(velocities, batch.N, i);
             const double closing = relative.dot(direction);
-            // The depth is a distance: it changes by no more than the sides move.
+            // The depth is a distance, so its rate is at most the relative speed.
             const RelativeMotion motion{closing, closing * direction.dot(at.normal), relative.norm()};
             const auto response =
                 pair.law.advance(point.penetration, at.depth, motion, dt, batch.share[i], around);
@@ -95,8 +95,7 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
     if (sliding.is_any()) forces.sliding.push_back(sliding.times(pair.area));
 }
 
-/// Appends the memory of a facet for another rank: its dissipated budget (J/m2) and the penetrations of its
-/// points.
+/// Appends the state of a facet to a record: its dissipated budget (J/m2) and the penetrations of its points.
 template <class Point>
 void save_points(const RigidMemory<Point>& memory, std::vector<double>& record) {
     record.insert(record.end(), {memory.dissipated_budget, static_cast<double>(memory.points.size())});
@@ -104,13 +103,13 @@ void save_points(const RigidMemory<Point>& memory, std::vector<double>& record) 
         record.insert(record.end(), {overlap, ignored, opened});
 }
 
-/// Takes up what another rank remembered of a facet, if anything.
+/// Sets the state of a facet, unless it is empty.
 template <class Point>
 void keep(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet, RigidMemory<Point> memory) {
     if (memory.dissipated_budget != 0 || !memory.points.empty()) memories.take(facet) = std::move(memory);
 }
 
-/// Reads what save_points wrote. @return what comes after it
+/// Reads the numbers of save_points. @return the rest of the record
 template <class Point>
 std::span<const double> restore_points(RigidMemory<Point>& memory, std::span<const double> record) {
     auto next = record.begin();

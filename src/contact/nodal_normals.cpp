@@ -1,32 +1,25 @@
 #include "weavefront/contact/nodal_normals.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "weavefront/mesh/adjacency_list.hpp"
 
 namespace weavefront::contact {
 
 void NodalNormals::rebuild(const Surface& surface, std::size_t nodes) {
-    std::vector<std::int32_t> next(nodes + 1,
-                                   0);  // by node: first of its facets, and after sorting the end of them
-    for (const auto& facet : surface.facets)
-        for (const auto node : facet.nodes) ++next[static_cast<std::size_t>(node) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<std::int32_t> around(static_cast<std::size_t>(next.back()));
-    for (std::size_t f = 0; f < surface.facets.size(); ++f)
-        for (const auto node : surface.facets[f].nodes)
-            around[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] =
-                static_cast<std::int32_t>(f);
+    mesh::AdjacencyList<std::int32_t> around(nodes, [&](const auto& use) {
+        for (std::size_t f = 0; f < surface.facets.size(); ++f)
+            for (const auto node : surface.facets[f].nodes) use(node, static_cast<std::int32_t>(f));
+    });
     const auto by_id = [&](std::int32_t a, std::int32_t b) {
         return surface.facets[static_cast<std::size_t>(a)].id <
                surface.facets[static_cast<std::size_t>(b)].id;
     };
     around_ = {};
     around_.reserve(nodes);
-    std::ptrdiff_t begin = 0;
     for (std::size_t n = 0; n < nodes; ++n) {
-        const auto end = static_cast<std::ptrdiff_t>(next[n]);
-        std::sort(around.begin() + begin, around.begin() + end, by_id);
-        for (; begin < end; ++begin) around_.add(around[static_cast<std::size_t>(begin)]);
+        std::ranges::sort(around[n], by_id);
+        for (const auto facet : around[n]) around_.add(facet);
         around_.end_list();
     }
     around_.shrink_to_fit();

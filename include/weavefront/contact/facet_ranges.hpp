@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
+
+#include "weavefront/mesh/adjacency_list.hpp"
 
 namespace weavefront::contact {
 
@@ -66,32 +67,27 @@ class FacetRanges {
 /// Many lists of facets, built one after the other.
 class FacetLists {
   public:
-    /// Ends the present list and begins the next one.
-    void end_list() { first_.push_back(static_cast<std::int32_t>(ranges_.size())); }
-
     /// Appends a facet to the present list.
     void add(std::int32_t facet) {
-        const bool new_list = static_cast<std::int32_t>(ranges_.size()) == first_.back();
-        if (!new_list && ranges_.back().count < FacetRange::longest &&
-            facet == ranges_.back().begin + ranges_.back().count)
-            ++ranges_.back().count;
+        const auto present = ranges_.open_row();
+        const bool continues = !present.empty() && present.back().count < FacetRange::longest &&
+                               facet == present.back().begin + present.back().count;
+        if (continues)
+            ++present.back().count;
         else
             ranges_.push_back({facet, 1});
     }
+    /// Ends the present list and begins the next one.
+    void end_list() { ranges_.end_row(); }
 
-    void reserve(std::size_t lists) { first_.reserve(lists + 1); }
+    void reserve(std::size_t lists) { ranges_.reserve_rows(lists); }
     void shrink_to_fit() { ranges_.shrink_to_fit(); }
 
-    [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
-    [[nodiscard]] FacetRanges of(std::int32_t list) const {
-        const auto l = static_cast<std::size_t>(list);
-        return FacetRanges(std::span(ranges_).subspan(static_cast<std::size_t>(first_[l]),
-                                                      static_cast<std::size_t>(first_[l + 1] - first_[l])));
-    }
+    [[nodiscard]] std::size_t size() const { return ranges_.rows(); }
+    [[nodiscard]] FacetRanges of(std::int32_t list) const { return FacetRanges(ranges_[list]); }
 
   private:
-    std::vector<std::int32_t> first_{0};  ///< first range of each list
-    std::vector<FacetRange> ranges_;
+    mesh::AdjacencyList<FacetRange> ranges_;  ///< by list
 };
 
 }  // namespace weavefront::contact

@@ -9,6 +9,7 @@
 #include "weavefront/contact/candidates.hpp"
 #include "weavefront/contact/facet_groups.hpp"
 #include "weavefront/contact/node_box.hpp"
+#include "weavefront/mesh/adjacency_list.hpp"
 
 namespace weavefront::contact {
 
@@ -46,9 +47,9 @@ class RelativeMotionBound {
 
   private:
     FacetGroups groups_;  ///< of owned facets, then of ghosts
-    std::vector<std::int32_t> first_,
-        candidate_groups_;        ///< of each group of owned facets: the groups that hold its candidates
-    std::vector<NodeBox> boxes_;  ///< of each group
+    mesh::AdjacencyList<std::int32_t>
+        candidate_groups_;        ///< by group of owned facets: groups of its candidates
+    std::vector<NodeBox> boxes_;  ///< by group, around the velocities of its nodes
     struct Bound {
         double sum = 0, last = 0;  ///< m
     };

@@ -10,34 +10,30 @@
 #include <string>
 
 #include "silent_output.hpp"
+#include "weavefront/mesh/adjacency_list.hpp"
 
 namespace weavefront::partition {
 
 namespace {
 
-struct Graph {
-    std::vector<idx_t> first{0};  ///< of each vertex's neighbours
-    std::vector<idx_t> neighbours;
-};
-
-/// Columns are neighbours when their footprints share an edge.
-Graph column_graph(const mesh::Panel& panel) {
-    Graph graph;
+/// By column: the columns whose footprints share an edge with its own.
+mesh::AdjacencyList<idx_t, idx_t> column_graph(const mesh::Panel& panel) {
+    mesh::AdjacencyList<idx_t, idx_t> graph;
     const auto nx = panel.columns_x(), ny = panel.columns_y();
     for (std::int64_t j = 0; j < ny; ++j)
         for (std::int64_t i = 0; i < nx; ++i) {
             const auto column = j * nx + i;
-            if (j > 0) graph.neighbours.push_back(static_cast<idx_t>(column - nx));
-            if (i > 0) graph.neighbours.push_back(static_cast<idx_t>(column - 1));
-            if (i + 1 < nx) graph.neighbours.push_back(static_cast<idx_t>(column + 1));
-            if (j + 1 < ny) graph.neighbours.push_back(static_cast<idx_t>(column + nx));
-            graph.first.push_back(static_cast<idx_t>(graph.neighbours.size()));
+            if (j > 0) graph.push_back(static_cast<idx_t>(column - nx));
+            if (i > 0) graph.push_back(static_cast<idx_t>(column - 1));
+            if (i + 1 < nx) graph.push_back(static_cast<idx_t>(column + 1));
+            if (j + 1 < ny) graph.push_back(static_cast<idx_t>(column + nx));
+            graph.end_row();
         }
     return graph;
 }
 
-/// METIS may leave parts empty when there are nearly as many parts as columns: each takes the last column of
-/// the fullest part.
+/// METIS may leave parts empty when there are nearly as many parts as columns. Each empty part takes the last
+/// column of the fullest part.
 void fill_empty_parts(Decomposition& decomposition) {
     std::vector<std::vector<std::size_t>> columns(static_cast<std::size_t>(decomposition.parts));
     for (std::size_t c = 0; c < decomposition.owner.size(); ++c)
@@ -61,8 +57,8 @@ void fill_empty_parts(Decomposition& decomposition) {
 // METIS adds weights in 32 bits.
 constexpr std::int64_t largest_total = std::int64_t{1} << 30;
 
-/// A column that weighs as much as a part is one: were it to weigh more, METIS would run out of columns on
-/// its way to the last parts.
+/// Weights in 32 bits. No column weighs more than the mean of a part, since METIS would run out of columns
+/// for the last parts.
 std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights, int parts) {
     const auto total = std::accumulate(weights.begin(), weights.end(), std::int64_t{0});
     const auto divisor = total / largest_total + 1,
@@ -75,8 +71,8 @@ std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights, int part
     return scaled;
 }
 
-/// METIS handles SIGTERM itself while it works, and then fails. It is kept from this thread until METIS has
-/// given its handling back.
+/// METIS replaces the handler of SIGTERM while it works, and fails on the signal. This class blocks SIGTERM
+/// in this thread until METIS has restored the handler.
 class HeldTermination {
   public:
     HeldTermination() {
@@ -93,18 +89,21 @@ class HeldTermination {
     sigset_t before_{};
 };
 
-/// What differs from one call of METIS to the other. Weights lie column by column.
+/// Arguments in which calls of METIS differ. Weights are ordered column by column.
 struct Call {
     decltype(&METIS_PartGraphKway) method;
     idx_t constraints, seed, imbalance_in_thousandths;
-    std::vector<real_t> imbalances;  ///< of each constraint; none: as in thousandths
+    std::vector<real_t> imbalances;  ///< by constraint; empty: `imbalance_in_thousandths` for all
 };
 
 Decomposition partition(const mesh::Panel& panel, std::vector<idx_t> weights, int parts, Call call) {
     Decomposition decomposition{parts,
                                 std::vector<std::int32_t>(static_cast<std::size_t>(panel.columns()), 0)};
     if (parts == 1) return decomposition;
-    auto graph = column_graph(panel);
+    const auto graph = column_graph(panel);
+    // METIS asks for arrays that may change, but leaves the graph as it is.
+    auto* const offsets = const_cast<idx_t*>(graph.offsets().data());
+    auto* const neighbours = const_cast<idx_t*>(graph.items().data());
     auto vertices = static_cast<idx_t>(panel.columns());
     idx_t parts_wanted = parts, cut = 0;
     std::array<idx_t, METIS_NOPTIONS> options{};
@@ -114,10 +113,10 @@ Decomposition partition(const mesh::Panel& panel, std::vector<idx_t> weights, in
     std::vector<idx_t> owner(decomposition.owner.size());
     const SilentOutput silent;
     const HeldTermination held;
-    const int status = call.method(&vertices, &call.constraints, graph.first.data(), graph.neighbours.data(),
-                                   weights.data(), nullptr, nullptr, &parts_wanted, nullptr,
-                                   call.imbalances.empty() ? nullptr : call.imbalances.data(), options.data(),
-                                   &cut, owner.data());
+    const int status =
+        call.method(&vertices, &call.constraints, offsets, neighbours, weights.data(), nullptr, nullptr,
+                    &parts_wanted, nullptr, call.imbalances.empty() ? nullptr : call.imbalances.data(),
+                    options.data(), &cut, owner.data());
     if (status != METIS_OK)
         throw std::runtime_error("METIS could not partition the target (status " + std::to_string(status) +
                                  ")");
@@ -144,8 +143,7 @@ std::vector<std::int64_t> Decomposition::columns_of(int part) const {
 Decomposition decompose(const mesh::Panel& panel, std::span<const std::int32_t> weights, int parts) {
     require_columns(panel, parts);
     auto scaled = metis_weights(weights, parts);
-    // Asked for less imbalance than half of the heaviest column makes, METIS scatters columns in search of
-    // it.
+    // If the allowed imbalance is below half of the heaviest column, METIS scatters columns to reach it.
     const auto of_part =
         static_cast<double>(std::accumulate(scaled.begin(), scaled.end(), std::int64_t{0})) / parts;
     const double in_thousandths = scaled.empty() ? 0 : 500 * *std::ranges::max_element(scaled) / of_part;

@@ -11,10 +11,11 @@ namespace weavefront::partition {
 
 namespace {
 
-// Moments of the run at which the work of all ranks is compared: the zone of contact grows from rank to rank.
+// Moments of the run at which the work of all ranks is compared, since the contact zone grows from rank to
+// rank.
 constexpr int moments = 16;
 
-// A step sums over all ranks once, and every fifth step takes the smallest time step of all.
+// Every step sums over all ranks once. Every fifth step also finds the smallest time step of all ranks.
 constexpr double reductions_per_step = 1.2;
 
 double crowding(const Machine& machine, int ranks) {
@@ -28,7 +29,7 @@ double exchange(const Machine& machine, const PartSizes& sizes) {
            static_cast<double>(std::max(sizes.bytes_sent, sizes.bytes_received)) / machine.bandwidth;
 }
 
-/// Work of each part at every moment, s.
+/// Work of each part at the moments of the run, s.
 class Work {
   public:
     Work(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition,

@@ -13,7 +13,7 @@ struct Range {
     std::int64_t first, end;
 };
 
-/// Of each column of an axis, itself and all within `reach`. @param lines grid lines of the axis, m
+/// By column of an axis: the columns within `reach` of it. @param lines grid lines of the axis, m
 std::vector<Range> within_reach(const std::vector<double>& lines, double reach) {
     std::vector<Range> ranges;
     for (std::size_t i = 0; i + 1 < lines.size(); ++i)
@@ -23,7 +23,7 @@ std::vector<Range> within_reach(const std::vector<double>& lines, double reach) 
     return ranges;
 }
 
-/// Sorts and leaves each once.
+/// Sorts values and removes duplicates.
 template <class T>
 void leave_each_once(std::vector<T>& values) {
     std::ranges::sort(values);
@@ -85,7 +85,7 @@ class Counter {
         return decomposition_.owner[static_cast<std::size_t>(j * panel_.columns_x() + i)];
     }
 
-    /// The corners of a column that a part does not hold are its ghosts.
+    /// Adds the corners of a column that a part does not hold to its ghosts.
     void add_corners(std::int64_t i, std::int64_t j, std::int32_t part) {
         for (const auto node_j : {j, j + 1})
             for (const auto node_i : {i, i + 1}) {
@@ -94,7 +94,7 @@ class Counter {
             }
     }
 
-    /// @param knowing parts that know a node, the first `holding` as their own
+    /// Counts the exchange of a node. @param knowing parts that know it; the first `holding` of them hold it
     void share(std::span<const std::int32_t> knowing, std::size_t holding) {
         for (std::size_t a = 0; a < knowing.size(); ++a)
             for (std::size_t b = 0; b < knowing.size(); ++b) {

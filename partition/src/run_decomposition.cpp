@@ -13,24 +13,25 @@ namespace weavefront::partition {
 
 namespace {
 
-// Few parts can be balanced down to what lies under the projectile; with many, each ring has to have enough
+// Few parts can be balanced down to the columns under the projectile. With many parts, each ring needs enough
 // columns for all of them.
 constexpr int few_parts = 8;
 constexpr std::size_t rings_of_few = 8, rings_of_many = 5;
 
-// Beyond, METIS takes longer for the rings than they save, and parts get too few columns of each.
+// With more parts, METIS takes longer for the rings than they save, and parts get too few columns of each
+// ring.
 constexpr int most_parts_with_rings = 256;
 
-// METIS is tried with different seeds as long as that takes no more than some tenths of a second: it bisects
-// all columns about as often as the number of parts has doubled.
+// The number of seeds tried is limited to some tenths of a second. METIS bisects all columns about
+// log2(parts) times.
 constexpr double most_seeds = 40, columns_bisected = 64'000;
 
-// What is balanced ring by ring is balanced at every time, whatever contact costs; what is balanced in the
-// mean over the run only as far as the model is right, so it has to be better by the model's error.
+// Rings are balanced at every time, whatever contact costs. Balance in the mean relies on the cost model, so
+// it must win by the error of the model.
 constexpr double model_error = 0.1;
 
-/// What columns cost in the mean over the run, and rings of those that contact reaches during the run: each
-/// of as many columns as all within it, because contact begins in the middle and works there the longest.
+/// Loads to share: the mean cost of columns over the run, and rings of the columns that contact reaches. Each
+/// ring has as many columns as all rings within it, because contact lasts longest in the middle.
 std::vector<std::vector<std::int32_t>> shares(const scene::Scene& scene, const mesh::Panel& panel,
                                               std::size_t rings) {
     const ContactZone zone(scene);
@@ -58,7 +59,7 @@ Decomposition decompose_for_run(const scene::Scene& scene, const mesh::Panel& pa
     auto best = decompose(panel, column_costs(panel, scene), parts);
     const auto rings = parts <= few_parts ? rings_of_few : rings_of_many;
     const auto columns_for_rings =
-        static_cast<std::int64_t>(rings) * parts;  // a part needs at least one of each
+        static_cast<std::int64_t>(rings) * parts;  // a part needs at least one column of each ring
     if (parts == 1 || parts > most_parts_with_rings || panel.columns() < columns_for_rings) return best;
     const auto sets = shares(scene, panel, rings);
     if (sets.size() == 1) return best;

@@ -8,13 +8,13 @@ namespace weavefront::contact {
 
 namespace {
 
-// What a line is found to meet lies on the facet; where rounding puts it off the line by e it seems nearer by
-// e^2/2 over its distance. Facets this much farther apart than their touching distance are clear of each
-// other for all e up to a hundredth of that distance, far above what rounding makes of a line.
+// Relative margin of the contact distance for rounding. A hit that rounding puts off its ray by e seems
+// nearer by e^2/2 over its distance. This margin covers every e up to a hundredth of the contact distance,
+// far more than rounding makes.
 constexpr double rounding = 1e-4;
 
-// Of the touching distance. Candidates farther away are left out of a shortlist, which then holds until they
-// may have come near.
+// Over the contact distance. A shortlist leaves out candidates with more clearance than this, and holds until
+// one of them may have used it up.
 constexpr double near_in_distance = 0.3;
 
 }  // namespace
@@ -22,12 +22,13 @@ constexpr double near_in_distance = 0.3;
 double clearance(const ClearanceQuery& query, std::int32_t nearest, Shortlist& shortlist, double accumulated,
                  double worthwhile) {
     const auto& [ply, points, candidates, surface, distances, x] = query;
-    const double beyond = distances.max_penetration() -
-                          distances.most();  // facets that are no candidates lie at least this deep
+    const double beyond =
+        distances.max_penetration() - distances.most();  // clearance of facets that are no candidates
     const double near = near_in_distance * distances.most();
     double clear = beyond;
-    // By how much something may approach until the facet may touch the box around a candidate.
-    const auto look_at = [&](std::int32_t candidate) {
+    // Clearance towards the box around a candidate. Where it is the least so far, the candidate itself is
+    // measured.
+    const auto measure = [&](std::int32_t candidate) {
         const auto& other = surface.facets[static_cast<std::size_t>(candidate)];
         const double reach = (1 + rounding) * distances.between(ply, other.ply),
                      apart = points.min_distance(NodeBox(x, other.nodes)) - reach;
@@ -39,11 +40,11 @@ double clearance(const ClearanceQuery& query, std::int32_t nearest, Shortlist& s
         return surface.alive[static_cast<std::size_t>(candidate)] != 0;
     };
     if (accumulated < shortlist.until) clear = shortlist.until - accumulated;
-    if (nearest >= 0 && is_alive(nearest)) look_at(nearest);  // mostly it leaves the least clear
+    if (nearest >= 0 && is_alive(nearest)) measure(nearest);  // it mostly has the least clearance
     if (accumulated < shortlist.until) {
         if (clear >= worthwhile)
             candidates.visit_some(shortlist.slots, [&](std::int32_t candidate) {
-                if (candidate != nearest && is_alive(candidate)) look_at(candidate);
+                if (candidate != nearest && is_alive(candidate)) measure(candidate);
                 return clear >= worthwhile;
             });
         return clear < worthwhile ? 0 : clear;
@@ -53,7 +54,7 @@ double clearance(const ClearanceQuery& query, std::int32_t nearest, Shortlist& s
     auto candidate = candidates.begin();
     for (std::size_t slot = 0; candidate != candidates.end() && clear >= worthwhile; ++candidate, ++slot) {
         if (!is_alive(*candidate)) continue;
-        const double apart = *candidate == nearest ? 0 : look_at(*candidate);
+        const double apart = *candidate == nearest ? 0 : measure(*candidate);
         if (apart < near && slot < Shortlist::longest)
             slots |= std::uint32_t{1} << slot;
         else

@@ -6,8 +6,8 @@ namespace weavefront::contact {
 
 namespace {
 
-// Pressures of a few GPa press two plies into each other by about their thickness; a point deeper than this
-// has gone through a hole.
+// Pressures of a few GPa press two plies into each other by about their thickness. A deeper point came
+// through a hole.
 constexpr double deepest_in_thicknesses = 4;
 
 }  // namespace

@@ -18,20 +18,20 @@ ContactPoints::ContactPoints(const QuadratureRule& rule, const std::array<Vec3, 
     for (std::size_t k = 0; k < batches_; ++k) points_[k] = interpolate(corners, rule[k].N);
 }
 
-// The other facet is x = c + xi t1 + eta t2 + xi eta t3. With n = t1 x t2, E1 = t2 x n, E2 = n x t1 and q =
-// n.n its points keep to |n.(x - c)| <= |n.t3| and, for a = E1.(x - c)/q, to |a| <= 1 + |E1.t3|/q; likewise b
-// with E2. What a point lies beyond these bounds is one distance along n and one across it. Over a facet that
-// is warped as this one is,
+// The facet is x = c + xi t1 + eta t2 + xi eta t3. Let n = t1 x t2, E1 = t2 x n, E2 = n x t1 and q = n.n. Its
+// points satisfy |n.(x - c)| <= |n.t3| and, with a = E1.(x - c)/q, |a| <= 1 + |E1.t3|/q; likewise b with E2.
+// The excess of a point over these bounds is a distance along n and one across it. A closer bound for a
+// warped facet follows from
 //     F(x) = n.(x - c) - (n.t3) a b
-// hardly varies: on the facet itself by |n.t3| (|E1.t3|/q + |E2.t3|/q + |E1.t3||E2.t3|/q^2) at the most. A
-// point where |F| is larger by D is at least D over the largest gradient of F away; its square is q (1 +
-// s^2), s^2 <= 2 (n.t3)^2 (a^2 |t1|^2 + b^2 |t2|^2)/q^2, with the larger of |a| and |b| at the two ends.
-double ContactPoints::min_distance(const std::array<Vec3, 4>& c) const {
-    const Vec3 middle = (c[0] + c[1] + c[2] + c[3]) / 4, t1 = (c[1] + c[2] - c[0] - c[3]) / 4,
-               t2 = (c[2] + c[3] - c[0] - c[1]) / 4, t3 = (c[0] + c[2] - c[1] - c[3]) / 4, n = t1.cross(t2),
-               E1 = t2.cross(n), E2 = n.cross(t1);
+// On the facet |F| is at most U = |n.t3| (|E1.t3|/q + |E2.t3|/q + |E1.t3||E2.t3|/q^2). A point with |F| = U +
+// D is at least D over the largest gradient of F away. The square of that gradient is q (1 + s^2), where s^2
+// <= 2 (n.t3)^2 (a^2 |t1|^2 + b^2 |t2|^2)/q^2, with |a| and |b| the larger ones of the point and of the
+// facet.
+double ContactPoints::min_distance(const std::array<Vec3, 4>& corners) const {
+    const auto [middle, t1, t2, t3] = BilinearMap(corners);
+    const Vec3 n = t1.cross(t2), E1 = t2.cross(n), E2 = n.cross(t1);
     const double q = n.squaredNorm(), square1 = t1.squaredNorm(), square2 = t2.squaredNorm();
-    if (!(q > 0)) return min_distance(NodeBox(Box::around(c)));
+    if (!(q > 0)) return min_distance(NodeBox(Box::around(corners)));
     const double inverse = 1 / q, inverse1 = 1 / square1, inverse2 = 1 / square2;
     const double twist = n.dot(t3), warp = std::abs(twist), skew1 = std::abs(E1.dot(t3)) * inverse,
                  skew2 = std::abs(E2.dot(t3)) * inverse;

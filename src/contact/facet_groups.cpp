@@ -13,12 +13,9 @@ constexpr std::size_t most_facets = 16;
 
 void FacetGroups::group(const Surface& surface, std::span<const Vec3> x, std::int32_t first,
                         std::int32_t end) {
-    while (!facets_.empty() && first_.size() > 1 && first_.back() > first) {
-        first_.pop_back();
-        first_node_.pop_back();
-    }
-    facets_.resize(static_cast<std::size_t>(first_.back()));
-    nodes_.resize(static_cast<std::size_t>(first_node_.back()));
+    const auto kept = std::ranges::upper_bound(facets_.offsets(), first) - facets_.offsets().begin() - 1;
+    facets_.truncate(static_cast<std::size_t>(kept));
+    nodes_.truncate(static_cast<std::size_t>(kept));
     std::vector<std::int32_t> facets(static_cast<std::size_t>(end - first));
     std::iota(facets.begin(), facets.end(), first);
     const auto ply_of = [&](std::int32_t f) { return surface.facets[static_cast<std::size_t>(f)].ply; };
@@ -51,16 +48,17 @@ void FacetGroups::split(const Surface& surface, const std::vector<Vec3>& centres
         split(surface, centres, facets.subspan(half));
         return;
     }
-    const auto begin = static_cast<std::ptrdiff_t>(nodes_.size());
+    std::vector<std::int32_t> nodes;
     for (const auto f : facets) {
-        const auto& nodes = surface.facets[static_cast<std::size_t>(f)].nodes;
-        nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+        const auto& corners = surface.facets[static_cast<std::size_t>(f)].nodes;
+        nodes.insert(nodes.end(), corners.begin(), corners.end());
+        facets_.push_back(f);
     }
-    std::sort(nodes_.begin() + begin, nodes_.end());
-    nodes_.erase(std::unique(nodes_.begin() + begin, nodes_.end()), nodes_.end());
-    facets_.insert(facets_.end(), facets.begin(), facets.end());
-    first_.push_back(static_cast<std::int32_t>(facets_.size()));
-    first_node_.push_back(static_cast<std::int32_t>(nodes_.size()));
+    facets_.end_row();
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const auto node : nodes) nodes_.push_back(node);
+    nodes_.end_row();
 }
 
 }  // namespace weavefront::contact

@@ -4,7 +4,7 @@ namespace weavefront::contact {
 
 FrameContact::FrameContact(const scene::Frame& frame, const scene::ContactLaw& law,
                            std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
-    : quadrature_(spacing), rules_(rules_for(quadrature_, surface, x)), memories_(surface.owned) {
+    : quadrature_(spacing, surface, x), memories_(surface.owned) {
     const auto& last = surface.plies.back();
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(frame, last.z + last.thickness / 2, ply.thickness / 2);
@@ -26,7 +26,7 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
         const auto ply = static_cast<std::size_t>(facet.ply);
         const RigidPair pair{facet,
                              surface.areas[f],
-                             quadrature_.rule(rules_[f]),
+                             quadrature_.rule(index),
                              laws_[ply],
                              surface.plies[ply].thickness,
                              Master::frame,

@@ -1,32 +1,25 @@
 #include "weavefront/contact/nodal_normals.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "weavefront/mesh/adjacency_list.hpp"
 
 namespace weavefront::contact {
 
 void NodalNormals::rebuild(const Surface& surface, std::size_t nodes) {
-    std::vector<std::int32_t> next(nodes + 1,
-                                   0);  // while they are sorted in: where each node's begin, and then end
-    for (const auto& facet : surface.facets)
-        for (const auto node : facet.nodes) ++next[static_cast<std::size_t>(node) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<std::int32_t> around(static_cast<std::size_t>(next.back()));
-    for (std::size_t f = 0; f < surface.facets.size(); ++f)
-        for (const auto node : surface.facets[f].nodes)
-            around[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] =
-                static_cast<std::int32_t>(f);
+    mesh::AdjacencyList<std::int32_t> around(nodes, [&](const auto& use) {
+        for (std::size_t f = 0; f < surface.facets.size(); ++f)
+            for (const auto node : surface.facets[f].nodes) use(node, static_cast<std::int32_t>(f));
+    });
     const auto by_id = [&](std::int32_t a, std::int32_t b) {
         return surface.facets[static_cast<std::size_t>(a)].id <
                surface.facets[static_cast<std::size_t>(b)].id;
     };
     around_ = {};
     around_.reserve(nodes);
-    std::ptrdiff_t begin = 0;
     for (std::size_t n = 0; n < nodes; ++n) {
-        const auto end = static_cast<std::ptrdiff_t>(next[n]);
-        std::sort(around.begin() + begin, around.begin() + end, by_id);
-        for (; begin < end; ++begin) around_.add(around[static_cast<std::size_t>(begin)]);
+        std::ranges::sort(around[n], by_id);
+        for (const auto facet : around[n]) around_.add(facet);
         around_.end_list();
     }
     around_.shrink_to_fit();
@@ -47,8 +40,8 @@ Vec3 NodalNormals::at(std::int32_t node, const Surface& surface, std::span<const
         };
         sum += (corner(2) - corner(0)).cross(corner(3) - corner(1)) / 2;
     }
-    // Add the mirror image of the facets around a node on a plane of symmetry; such a node is held in the
-    // plane, at exactly 0.
+    // A node on a plane of symmetry is held at exactly 0 and has mirrored facets on the other side. They
+    // double the sum in the plane and cancel it across the plane.
     for (int d = 0; d < 2; ++d)
         if (surface.symmetry[static_cast<std::size_t>(d)] && x[n][d] == 0) {
             sum *= 2;

@@ -29,7 +29,7 @@ Depth ProjectileShape::face_depth(const Vec3& point, double radius, double axial
     const double on_arc = std::max(radius - (radius_ - edge_), 0.0);
     if (on_arc == 0) return {axial, {0, 0, direction}};
     const double outward = std::min(on_arc / edge_, 1.0), along = std::sqrt(1 - outward * outward);
-    // The axial depth seen along the normal; it vanishes where the point leaves the radius.
+    // The axial depth projected on the normal vanishes at the outer radius.
     return {axial * along, {outward * point.x() / radius, outward * point.y() / radius, direction * along}};
 }
 
@@ -53,8 +53,9 @@ std::optional<Depth> ProjectileShape::depth(const Vec3& point, Side& side) const
     const double drop = rim_drop(radius);
     const double below_front = front_ - drop - point.z(), above_rear = point.z() - (rear_ + drop);
     if (below_front <= 0 || above_rear <= 0) {
-        side = below_front <= 0 ? Side::front
-                                : Side::rear;  // outside, ahead of this face: this is where it will come in
+        side = below_front <= 0
+                   ? Side::front
+                   : Side::rear;  // outside, ahead of this face, through which the point will enter
         return std::nullopt;
     }
     const auto front = face_depth(point, radius, below_front, 1),

@@ -22,10 +22,10 @@ bool is_apart(const ProjectileShape& shape, const ProjectileState& projectile, c
 ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law,
                                      std::optional<double> spacing, const Surface& surface,
                                      std::span<const Vec3> x)
-    : quadrature_(spacing), rules_(rules_for(quadrature_, surface, x)), memories_(surface.owned) {
+    : quadrature_(spacing, surface, x), memories_(surface.owned) {
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(projectile, ply.thickness / 2);
-        laws_.emplace_back(law, ply.areal_density);  // damps as if the projectile stood still
+        laws_.emplace_back(law, ply.areal_density);  // damping takes the projectile for infinitely heavy
     }
 }
 
@@ -56,14 +56,14 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
         const Vec3 middle = projectile.position + Vec3(0, 0, (shape.front() + shape.rear()) / 2);
         const RigidPair pair{.facet = facet,
                              .area = surface.areas[index],
-                             .rule = quadrature_.rule(rules_[index]),
+                             .rule = quadrature_.rule(f),
                              .law = laws_[ply],
                              .thickness = surface.plies[ply].thickness,
                              .body = Master::projectile,
                              .away = (box.low + box.high) / 2 - middle,
                              .body_velocity = projectile.velocity};
-        // Near enough for the side on which a point comes in to be noted before it does; before the first
-        // step nothing is known of the way.
+        // Points within the margin note their side before they enter the projectile. Before the first step
+        // their velocities are not known.
         double fastest = 0;
         for (const auto node : facet.nodes)
             fastest =

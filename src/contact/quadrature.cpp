@@ -29,10 +29,7 @@ QuadratureRule quadrature(int n, int m) {
         const auto& [xi, eta, share] = points[std::min(i, points.size() - 1)];
         auto& batch = rule[i / batch_width];
         const auto lane = i % batch_width;
-        batch.N[0][lane] = (1 - xi) * (1 - eta) / 4;
-        batch.N[1][lane] = (1 + xi) * (1 - eta) / 4;
-        batch.N[2][lane] = (1 + xi) * (1 + eta) / 4;
-        batch.N[3][lane] = (1 - xi) * (1 + eta) / 4;
+        set_shape_functions(batch.N, lane, xi, eta);
         batch.share[lane] = i < points.size() ? share : 0;
         if (i < points.size()) ++batch.count;
     }
@@ -42,8 +39,8 @@ QuadratureRule quadrature(int n, int m) {
 std::int32_t Quadrature::rule_for(const std::array<Vec3, 4>& corners) {
     int n = 0, m = 0;
     if (spacing_) {
-        // An element as long as a whole number of spacings takes that many points, whatever the rounding of
-        // its corners.
+        // The tolerance keeps an element of a whole number of spacings at that number of points in spite of
+        // rounding.
         const auto points = [&](double length) {
             return std::clamp(static_cast<int>(std::ceil(length / *spacing_ * (1 - 1e-9))), 1, most_);
         };
@@ -60,12 +57,10 @@ std::array<Vec3, 4> Quadrature::spanned(std::int32_t index, const std::array<Vec
     const auto& rule = rules_[static_cast<std::size_t>(index)];
     const auto outermost = [](int n) { return n == 0 ? 1 : 1 - 1.0 / n; };
     const double xi = outermost(rule.n), eta = outermost(rule.m);
-    const auto& c = corners;
-    const Vec3 middle = (c[0] + c[1] + c[2] + c[3]) / 4, along = (c[1] + c[2] - c[0] - c[3]) * (xi / 4),
-               across = (c[2] + c[3] - c[0] - c[1]) * (eta / 4),
-               twist = (c[0] + c[2] - c[1] - c[3]) * (xi * eta / 4);
-    return {middle - along - across + twist, middle + along - across - twist, middle + along + across + twist,
-            middle - along + across - twist};
+    const auto [c, t1, t2, t3] = BilinearMap(corners);
+    const Vec3 along = t1 * xi, across = t2 * eta, twist = t3 * (xi * eta);
+    return {c - along - across + twist, c + along - across - twist, c + along + across + twist,
+            c - along + across - twist};
 }
 
 }  // namespace weavefront::contact

@@ -2,11 +2,13 @@
 
 #include <cmath>
 
+#include "weavefront/contact/bilinear_quad.hpp"
+
 namespace weavefront::contact {
 
 namespace {
 
-// Points on a common edge must be found from at least one side whatever the rounding.
+// A point on the edge of two facets must be hit on at least one of them, in spite of rounding.
 constexpr double edge_tolerance = 1e-9;
 
 }  // namespace
@@ -21,18 +23,16 @@ Rays one_ray(const Vec3& origin, const Vec3& direction) {
     return rays;
 }
 
-// Seen along the direction n, with the diagonals e = c2 - c0 and f = c3 - c1, corner a has the coordinates
-// u_a = r_a.(n x e) and w_a = r_a.(n x f). As u_0 = u_2 and w_1 = w_3, the line's point obeys, with N = n.(e
-// x f),
+// Let n be the direction of the ray, e = c2 - c0 and f = c3 - c1 the diagonals, and N = n.(e x f). Seen along
+// n, corner a has the coordinates u_a = r_a.(n x e) and w_a = r_a.(n x f). As u_0 = u_2 and w_1 = w_3, the
+// intersection obeys
 //     xi - eta = d0 + d3 m,    xi + eta = s0 + s3 m,    m = xi eta,
-// and 4 m = (xi + eta)^2 - (xi - eta)^2 leaves a quadratic for m. Its slope at a root has the sign of minus
-// the map's Jacobian, so one root is the point of the facet and the other lies where the map is turned over.
+// and 4 m = (xi + eta)^2 - (xi - eta)^2 is a quadratic equation for m. Its slope at a root has the sign of
+// minus the Jacobian of the map. So one root is the point of the facet; the other one lies where the map is
+// turned over.
 RayHits intersect(const Rays& rays, const std::array<Vec3, 4>& corners) {
     const Vec3 e = corners[2] - corners[0], f = corners[3] - corners[1], normal = e.cross(f);
-    const Vec3 c0 = (corners[0] + corners[1] + corners[2] + corners[3]) / 4,
-               c1 = (corners[1] + corners[2] - corners[0] - corners[3]) / 4,
-               c2 = (corners[2] + corners[3] - corners[0] - corners[1]) / 4,
-               c3 = (corners[0] + corners[2] - corners[1] - corners[3]) / 4;
+    const BilinearMap map(corners);
     RayHits hits;
     Lanes beyond;
     for (std::size_t i = 0; i < batch_width; ++i) {
@@ -59,12 +59,13 @@ RayHits intersect(const Rays& rays, const std::array<Vec3, 4>& corners) {
         const double xi = (s0 + s3 * m + d0 + d3 * m) / 2, eta = (s0 + s3 * m - d0 - d3 * m) / 2;
         hits.xi[i] = xi;
         hits.eta[i] = eta;
-        hits.distance[i] = (c0.x() + c1.x() * xi + c2.x() * eta + c3.x() * xi * eta - ox) * nx +
-                           (c0.y() + c1.y() * xi + c2.y() * eta + c3.y() * xi * eta - oy) * ny +
-                           (c0.z() + c1.z() * xi + c2.z() * eta + c3.z() * xi * eta - oz) * nz;
-        // The larger parent coordinate, or one beyond every facet.
+        hits.distance[i] =
+            (map.c.x() + map.t1.x() * xi + map.t2.x() * eta + map.t3.x() * xi * eta - ox) * nx +
+            (map.c.y() + map.t1.y() * xi + map.t2.y() * eta + map.t3.y() * xi * eta - oy) * ny +
+            (map.c.z() + map.t1.z() * xi + map.t2.z() * eta + map.t3.z() * xi * eta - oz) * nz;
+        // The larger parent coordinate; 2, outside of every facet, where there is no intersection.
         const double larger = std::abs(xi) > std::abs(eta) ? std::abs(xi) : std::abs(eta);
-        const double facing_it = facing > 0 ? larger : 2.0, real = discriminant >= 0 ? facing_it : 2.0;
+        const double within = facing > 0 ? larger : 2.0, real = discriminant >= 0 ? within : 2.0;
         beyond[i] = root > 0 ? real : 2.0;
     }
     for (std::size_t i = 0; i < batch_width; ++i) hits.hit[i] = beyond[i] <= 1 + edge_tolerance;

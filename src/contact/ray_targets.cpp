@@ -21,7 +21,7 @@ void RayTargets::add(const FacetRanges& candidates, NormalRays& rays, const Surf
         return l.ply != r.ply ? l.ply < r.ply : l.apart < r.apart;
     };
     std::int32_t ply = ply_ + 1;
-    bool covered = false, on_free_edge = false;  // the facet at hand, by this ply; part of that by a rim
+    bool covered = false, on_free_edge = false;  // whether this ply lies over the facet, and with a free edge
     for (const auto candidate : candidates) {
         const auto at = static_cast<std::size_t>(candidate);
         const auto& facet = surface.facets[at];
@@ -39,8 +39,8 @@ void RayTargets::add(const FacetRanges& candidates, NormalRays& rays, const Surf
         }
         if (!rays.may_reach(box)) continue;
         if (known > 0 && targets_.front().facet == candidate) continue;
-        // Seen along the normal of the facet at hand the other must not lie wholly ahead of its foremost
-        // corner; a line at a slant only meets it later.
+        // A candidate wholly ahead of the facet's foremost corner by the contact distance, along the facet's
+        // normal, is out of reach. A slanted ray only meets it later.
         const auto corners = corners_of(facet.nodes, x);
         double nearest = (corners[0] - centre_).dot(normal_);
         for (std::size_t c = 1; c < 4; ++c) nearest = std::min(nearest, (corners[c] - centre_).dot(normal_));

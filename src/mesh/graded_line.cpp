@@ -6,9 +6,9 @@ namespace weavefront::mesh {
 
 namespace {
 
-// No element is thinner than a quarter of its neighbour: a sliver would set the time step of the whole run.
-// The smallest element of a side of two or more is at least 1/(1 + growth) of what was asked for, so that
-// this growth keeps it.
+// No element is thinner than a quarter of its neighbour, since a sliver would set the time step of the whole
+// run. The smallest element of a side of two or more is at least 1/(1 + growth) of the requested size. So
+// this growth keeps the limit.
 constexpr double thinnest = 0.25, most_growth = 3;
 
 /// Distances of the grid lines of one side from the fine point, ascending, the first one 0 and the last one
@@ -35,7 +35,7 @@ std::vector<double> graded_line(double low, double high, double fine, const scen
         return length > 0 ? one_side(length, mesh) : std::vector<double>{0};
     };
     auto below = side(fine - low), above = side(high - fine);
-    // A side of one element may be of any thickness; where it is a sliver the fine point moves to its end.
+    // A side of one element may have any thickness. Where it is a sliver, the fine point moves to its end.
     if (below.size() == 2 && above.size() > 1 && below[1] < thinnest * above[1])
         return graded_line(low, high, low, mesh);
     if (above.size() == 2 && below.size() > 1 && above[1] < thinnest * below[1])

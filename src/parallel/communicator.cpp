@@ -20,8 +20,7 @@ void check(int code) {
 
 namespace {
 
-/// Keeps signals that ask for an end from this thread, and from threads that it starts, for as long as it
-/// lives.
+/// Blocks termination signals in this thread and in threads that it starts, until its destructor.
 class HeldSignals {
   public:
     HeldSignals() {
@@ -38,7 +37,7 @@ class HeldSignals {
     sigset_t before_{};
 };
 
-/// A rank without memory would leave the others waiting for it.
+/// Without this, other ranks would wait for a rank that ran out of memory.
 [[noreturn]] void end_without_memory() {
     tell_failure("out of memory");
     end_all_ranks();
@@ -61,7 +60,7 @@ Environment::~Environment() {
     if (!is_outermost_) return;
     std::set_new_handler(nullptr);
     if (ranks_ > 1 && std::uncaught_exceptions() > exceptions_)
-        return;  // the others may not get here; leaving so ends them
+        return;  // other ranks may not get here; exit without MPI_Finalize ends them
     MPI_Finalize();
 }
 

@@ -11,7 +11,7 @@ namespace weavefront::parallel {
 
 namespace {
 
-// Ranks that fail alike come within the time that it takes to free their memory.
+// Ranks that fail for the same reason arrive within the time that it takes to free their memory.
 constexpr auto patience = std::chrono::seconds(5);
 constexpr auto between_looks = std::chrono::milliseconds(1);
 

@@ -16,7 +16,7 @@ namespace weavefront::parallel {
 
 namespace {
 
-using Name = std::array<char, 64>;  ///< empty: the memory was not had
+using Name = std::array<char, 64>;  ///< empty: no memory
 
 /// Creates an object of shared memory with all its pages. @return its name
 Name create(std::size_t bytes) {
@@ -26,7 +26,7 @@ Name create(std::size_t bytes) {
         std::snprintf(name.data(), name.size(), "/weavefront.%d.%d", static_cast<int>(::getpid()), made++);
         const int object = ::shm_open(name.data(), O_RDWR | O_CREAT | O_EXCL, 0600);
         if (object < 0 && errno == EEXIST)
-            continue;  // of a process of that number in another container, or one that was killed
+            continue;  // name of a process with this id in another container, or of a killed one
         int cause = object < 0 ? errno : EINTR;
         while (cause == EINTR && object >= 0) cause = ::posix_fallocate(object, 0, static_cast<off_t>(bytes));
         if (object >= 0) ::close(object);
@@ -36,7 +36,7 @@ Name create(std::size_t bytes) {
     }
 }
 
-/// @return null when it cannot be had
+/// @return null if it cannot be mapped
 std::byte* map(const Name& name, std::size_t bytes) {
     const int object = ::shm_open(name.data(), O_RDWR, 0600);
     if (object < 0) return nullptr;
@@ -63,7 +63,8 @@ SharedMemory::SharedMemory(MPI_Comm host, std::size_t bytes) : bytes_(bytes) {
     const bool is_created = std::ranges::all_of(names, [](const Name& name) { return name[0] != '\0'; });
     for (const auto& name : names) pieces_.push_back(is_created ? map(name, bytes) : nullptr);
     const bool is_had = on_all(host, std::ranges::find(pieces_, nullptr) == pieces_.end());
-    if (own[0] != '\0') ::shm_unlink(own.data());  // it goes with its last user, also with one that is killed
+    if (own[0] != '\0')
+        ::shm_unlink(own.data());  // the memory is freed with its last user, even a killed one
     if (!is_had) release();
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t cache_line = 64;
 
-// A wait is short unless the ranks share their cores: then the one waited for has to get its turn.
+// A wait is short unless ranks share cores. Then the awaited rank needs the core.
 constexpr int looks_before_yielding = 2000;
 
 static_assert(std::atomic_ref<std::uint64_t>::is_always_lock_free, "ranks share it");
@@ -20,12 +20,12 @@ std::size_t in_whole_lines(std::size_t bytes) { return (bytes + cache_line - 1) 
 
 }  // namespace
 
-// In shared memory, at the start of a rank's part. After it: where the message to each rank of the host
-// begins, then the messages of even turns, then those of odd ones. A rank writes those of a turn when all
-// have read those of the turn before, not yet those of the last.
+// Start of a rank's part of the shared memory. It is followed by the offset of the message to each rank of
+// the host, the messages of even turns, and the messages of odd turns. A rank writes the messages of a turn
+// after all ranks have read those of the turn before the last.
 struct alignas(cache_line) SharedMemoryExchange::Header {
-    std::uint64_t turn;  ///< of the last post; atomic
-    std::size_t bytes;   ///< of the messages of a turn
+    std::uint64_t turn;  ///< of the last published messages; atomic
+    std::size_t bytes;   ///< of all messages of a turn
 };
 
 SharedMemoryExchange::SharedMemoryExchange(const Communicator& comm)

@@ -4,10 +4,13 @@
 #include <array>
 #include <span>
 
-#include "footprints.hpp"
+#include "weavefront/contact/footprint_bins.hpp"
+#include "weavefront/mesh/adjacency_list.hpp"
 #include "weavefront/parallel/all_to_all.hpp"
 
 namespace weavefront::solver {
+
+using contact::Footprint;
 
 namespace {
 
@@ -143,18 +146,18 @@ Choice choose(const parallel::Communicator& comm, const contact::SweptBounds& sw
     if (ranks == 1) return choice;
     const ColumnFootprints footprints(swept, surface);
     const auto& columns = footprints.columns;
-    auto around = footprints_around(comm, reach, footprints.covering);
+    const auto around = footprints_around(comm, reach, footprints.covering);
     for (std::size_t r = 0; r < ranks; ++r) {
         if (around[r].empty()) continue;
-        const FootprintBins bins(std::move(around[r]), reach);
+        const contact::FootprintBins bins(around[r], reach);
         for (std::size_t column = 0; column < columns.size(); ++column) {
-            if (!bins.near(columns[column], reach)) continue;
+            if (!bins.any_near(columns[column], reach)) continue;
             for (auto f = column; f < static_cast<std::size_t>(surface.owned); f += columns.size()) {
                 const auto footprint = swept.of(surface.facets[f]);
-                if (!surface.alive[f] || !bins.near(footprint, reach)) continue;
+                if (!surface.alive[f] || !bins.any_near(footprint, reach)) continue;
                 const GhostFacet facet{static_cast<std::int32_t>(f), is_on_free_edge(surface, f)};
                 choice.all[r].push_back(facet);
-                if (bins.near(footprint, reach - spare)) choice.needed[r].push_back(facet);
+                if (bins.any_near(footprint, reach - spare)) choice.needed[r].push_back(facet);
             }
         }
     }
@@ -255,25 +258,13 @@ void take_in_facets(ByRank<FacetMessage> incoming, const ByRank<std::int32_t>& i
     }
 }
 
-/// Ranks that hold own nodes besides this one: of node n those at first[n] to first[n + 1].
-struct OtherHolders {
-    std::vector<std::size_t> first;
-    std::vector<std::int32_t> ranks;
-
-    explicit OtherHolders(const partition::HaloPlan& plan) : first(plan.owned.size() + 2, 0) {
-        for (const auto& neighbour : plan.neighbours)
-            for (const auto node : neighbour.nodes) ++first[static_cast<std::size_t>(node) + 2];
-        for (std::size_t n = 2; n < first.size(); ++n) first[n] += first[n - 1];
-        ranks.resize(first.back());
-        for (const auto& neighbour : plan.neighbours)
-            for (const auto node : neighbour.nodes)
-                ranks[first[static_cast<std::size_t>(node) + 1]++] = neighbour.rank;
-    }
-    [[nodiscard]] std::span<const std::int32_t> of(std::int32_t node) const {
-        const auto n = static_cast<std::size_t>(node);
-        return std::span(ranks).subspan(first[n], first[n + 1] - first[n]);
-    }
-};
+/// By own node: the other ranks that hold it.
+mesh::AdjacencyList<std::int32_t> other_holders(const partition::HaloPlan& plan) {
+    return {plan.owned.size(), [&](const auto& use) {
+                for (const auto& neighbour : plan.neighbours)
+                    for (const auto node : neighbour.nodes) use(node, neighbour.rank);
+            }};
+}
 
 /// What the owner of a node tells those that know it: the node, and one other rank that knows it.
 struct Sharer {
@@ -289,7 +280,7 @@ ByRank<Sharer> announce_sharers(const ByRank<std::int64_t>& wanted, const partit
     for (std::size_t r = 0; r < wanted.size(); ++r)
         for (const auto id : wanted[r]) ghosts.emplace_back(id, static_cast<std::int32_t>(r));
     std::ranges::sort(ghosts);
-    const OtherHolders holders(plan);
+    const auto holders = other_holders(plan);
     ByRank<Sharer> outgoing(wanted.size());
     struct KnownBy {
         std::int32_t rank, as_ghost;
@@ -297,7 +288,7 @@ ByRank<Sharer> announce_sharers(const ByRank<std::int64_t>& wanted, const partit
     std::vector<KnownBy> known_by;
     for (std::size_t g = 0; g < ghosts.size();) {
         const auto id = ghosts[g].first;
-        const auto others = holders.of(indices.own(id));
+        const auto others = holders[indices.own(id)];
         known_by.assign(1, {rank, 0});
         for (const auto other : others) known_by.push_back({other, 0});
         for (; g < ghosts.size() && ghosts[g].first == id; ++g) known_by.push_back({ghosts[g].second, 1});

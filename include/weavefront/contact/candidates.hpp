@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Which facets may meet which.
+/// Pairs of facets that may come into contact.
 
 #include <cstdint>
 
@@ -10,13 +10,15 @@
 
 namespace weavefront::contact {
 
-/// Facets of later plies over or under each owned facet, as seen along z: ascending ply, then ascending
-/// global id. In a mesh that is numbered row by row these are few runs.
+/// By owned facet: facets of later plies that lie over it, as seen along z. The order is ascending ply, then
+/// ascending global id. In a mesh numbered row by row a list takes few ranges.
 using Candidates = FacetLists;
 
-/// Finds, for every alive owned facet, the alive facets of the next ply whose footprint is expected to come
-/// within `reach`; once facets were eroded, where some of these are on a rim, or none is there, also those of
-/// the ply behind, and so on. The result for a facet does not depend on which rank owns it.
+/// Finds for every alive owned facet the alive facets of the next ply whose swept footprints come within
+/// `reach` of its own. Where the next ply has a free edge or a hole there, the search goes on in the ply
+/// behind it. The candidates of a facet do not depend on the rank that owns it.
+/// @param swept bounds of all nodes until the next search
+/// @param reach m
 Candidates find_candidates(const Surface& surface, const SweptBounds& swept, double reach);
 
 }  // namespace weavefront::contact

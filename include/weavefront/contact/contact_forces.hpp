@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// What contact of one kind does in a step.
+/// Results of one kind of contact in a step.
 
 #include <vector>
 
@@ -10,10 +10,10 @@
 
 namespace weavefront::contact {
 
-/// Forces of pairs, the energy that sliding moved in each facet, and the deepest point.
+/// Forces of pairs, sliding energy of facets, and the deepest penetration.
 struct ContactForces {
     std::vector<PairForce> pairs;
-    std::vector<SlidingEnergy> sliding;  ///< J; facets where nothing slides have none
+    std::vector<SlidingEnergy> sliding;  ///< J, one for each facet with sliding
     Deepest deepest;
 
     void clear() { pairs.clear(), sliding.clear(), deepest = {}; }

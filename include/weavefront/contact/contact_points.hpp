@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// How far the points of a facet are from others at least.
+/// Lower bounds of the distances of a facet's points to other facets.
 
 #include <array>
 #include <cmath>
@@ -12,20 +12,20 @@
 
 namespace weavefront::contact {
 
-/// The points of a facet, from which others are seen.
+/// The integration points of a facet at their present positions.
 class ContactPoints {
   public:
-    /// @param corners, spanned those of the facet and of the part that its points span, m
+    /// @param corners, spanned corners of the facet, and of the part of it that its points span, m
     ContactPoints(const QuadratureRule& rule, const std::array<Vec3, 4>& corners,
                   const std::array<Vec3, 4>& spanned);
 
-    /// A bound from below of the distance of any of the points to a box, m; 0 where none was found.
+    /// Lower bound of the distance of all points to a box, m.
     [[nodiscard]] double min_distance(const NodeBox& box) const {
         return std::sqrt(box_.squared_distance(box));
     }
 
-    /// The same to another facet: closer than to the box around it, and dearer. @param corners of the other,
-    /// m
+    /// Lower bound of the distance of all points to a facet, m. It is closer than the bound to the box around
+    /// the facet, at a higher cost. @param corners of the facet, m
     [[nodiscard]] double min_distance(const std::array<Vec3, 4>& corners) const;
 
   private:

@@ -8,17 +8,17 @@
 
 namespace weavefront::contact {
 
-/// The contact point whose overlap is the largest part of the thickness at which its sides touch. It counts
-/// whether it presses or not.
+/// The contact point with the largest overlap over its contact distance, whether it presses or not.
 struct Deepest {
     double overlap = 0;         ///< m
-    double in_thicknesses = 0;  ///< the same over the contact thickness
+    double in_thicknesses = 0;  ///< overlap over the contact distance
     Vec3 place{0, 0, 0};        ///< of the point, m
-    std::int64_t element = -1;  ///< global, of the point; -1: nothing is in contact
+    std::int64_t element = -1;  ///< global id of the point's element; -1: no contact
     double time = 0;            ///< s
 
-    /// Keeps the deeper one; of two alike the one of the lower element, so that the order does not matter.
-    /// @return whether it is the other
+    /// Keeps the deeper of two points. At equal depth the lower element id decides, so the order does not
+    /// matter.
+    /// @return whether `other` replaced this one
     bool include(const Deepest& other) {
         const bool deeper = other.in_thicknesses > in_thicknesses;
         if (!deeper &&

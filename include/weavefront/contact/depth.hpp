@@ -10,7 +10,7 @@ namespace weavefront::contact {
 struct Depth {
     double depth = 0;   ///< m, > 0 inside
     Vec3 normal;        ///< outward, unit
-    double radius = 0;  ///< of curvature of a round body, m; 0: an edge or a flat face
+    double radius = 0;  ///< of curvature of a round body, m; 0: edge or flat face
 };
 
 }  // namespace weavefront::contact

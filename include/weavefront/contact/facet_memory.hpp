@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// What few of many facets remember.
+/// State of few facets among many.
 
 #include <cstdint>
 #include <utility>
@@ -8,13 +8,13 @@
 
 namespace weavefront::contact {
 
-/// A `Memory` of each facet that has one; the others take hardly any room.
+/// A `Memory` for each facet that has one. Each other facet takes four bytes.
 template <class Memory>
 class FacetMemory {
   public:
     explicit FacetMemory(std::int32_t facets) : slots_(static_cast<std::size_t>(facets), -1) {}
 
-    /// That of a facet; null: none.
+    /// Memory of a facet; null: none.
     [[nodiscard]] Memory* find(std::int32_t facet) {
         return slot(facet) < 0 ? nullptr : &memories_[static_cast<std::size_t>(slot(facet))];
     }
@@ -22,7 +22,7 @@ class FacetMemory {
         return slot(facet) < 0 ? nullptr : &memories_[static_cast<std::size_t>(slot(facet))];
     }
 
-    /// That of a facet; a fresh one where it has none.
+    /// Memory of a facet; a new one where it has none.
     [[nodiscard]] Memory& take(std::int32_t facet) {
         if (slot(facet) < 0) {
             if (free_.empty()) {
@@ -35,6 +35,7 @@ class FacetMemory {
         return memories_[static_cast<std::size_t>(slot(facet))];
     }
 
+    /// Drops the memory of a facet, if it has one.
     void forget(std::int32_t facet) {
         if (slot(facet) < 0) return;
         memories_[static_cast<std::size_t>(slot(facet))] = {};
@@ -46,9 +47,9 @@ class FacetMemory {
         return slots_[static_cast<std::size_t>(facet)];
     }
 
-    std::vector<std::int32_t> slots_;  ///< of each facet, or -1
+    std::vector<std::int32_t> slots_;  ///< by facet; -1: no memory
     std::vector<Memory> memories_;
-    std::vector<std::int32_t> free_;  ///< slots
+    std::vector<std::int32_t> free_;  ///< slots without a facet
 };
 
 }  // namespace weavefront::contact

@@ -1,16 +1,18 @@
 #pragma once
 /// @file
-/// Lists of facets that take little room.
+/// Lists of facets as ranges of local indices.
 
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
+
+#include "weavefront/mesh/adjacency_list.hpp"
 
 namespace weavefront::contact {
 
-/// Facets with consecutive local indices. There are several for every element of a rank, so they are packed.
+/// Facets with consecutive local indices. A rank has several ranges for each of its elements, so they are
+/// packed.
 struct [[gnu::packed]] FacetRange {
     std::int32_t begin;
     std::uint8_t count;
@@ -19,76 +21,73 @@ struct [[gnu::packed]] FacetRange {
 };
 static_assert(sizeof(FacetRange) == 5);
 
-/// The facets of some runs, one after the other.
+/// The facets of several ranges, one after the other.
 class FacetRanges {
   public:
     class Iterator {
       public:
-        explicit Iterator(const FacetRange* run) : run_(run) {}
-        std::int32_t operator*() const { return run_->begin + within_; }
+        explicit Iterator(const FacetRange* range) : range_(range) {}
+        std::int32_t operator*() const { return range_->begin + within_; }
         Iterator& operator++() {
-            if (++within_ == run_->count) ++run_, within_ = 0;
+            if (++within_ == range_->count) ++range_, within_ = 0;
             return *this;
         }
         bool operator==(const Iterator&) const = default;
 
       private:
-        const FacetRange* run_;
+        const FacetRange* range_;
         std::int32_t within_ = 0;
     };
 
-    explicit FacetRanges(std::span<const FacetRange> runs) : runs_(runs) {}
+    explicit FacetRanges(std::span<const FacetRange> ranges) : ranges_(ranges) {}
 
-    [[nodiscard]] Iterator begin() const { return Iterator(runs_.data()); }
-    [[nodiscard]] Iterator end() const { return Iterator(runs_.data() + runs_.size()); }
-    [[nodiscard]] bool empty() const { return runs_.empty(); }
+    [[nodiscard]] Iterator begin() const { return Iterator(ranges_.data()); }
+    [[nodiscard]] Iterator end() const { return Iterator(ranges_.data() + ranges_.size()); }
+    [[nodiscard]] bool empty() const { return ranges_.empty(); }
 
-    /// Calls `visit` with those of the first 32 facets whose bits are set, in their order, until it returns
+    /// Visits, in order, those of the first 32 facets whose bits are set in `slots`, until `visit` returns
     /// false.
     template <class Visit>
     void visit_some(std::uint32_t slots, const Visit& visit) const {
-        for (const auto& run : runs_) {
+        for (const auto& range : ranges_) {
             if (slots == 0) return;
-            const auto within = run.count < 32 ? slots & ((std::uint32_t{1} << run.count) - 1) : slots;
+            const auto within = range.count < 32 ? slots & ((std::uint32_t{1} << range.count) - 1) : slots;
             for (auto rest = within; rest != 0; rest &= rest - 1)
-                if (!visit(run.begin + std::countr_zero(rest))) return;
-            slots = run.count < 32 ? slots >> run.count : 0;
+                if (!visit(range.begin + std::countr_zero(rest))) return;
+            slots = range.count < 32 ? slots >> range.count : 0;
         }
     }
-    [[nodiscard]] std::int32_t back() const { return runs_.back().begin + runs_.back().count - 1; }
+    /// The last facet. @pre not empty
+    [[nodiscard]] std::int32_t back() const { return ranges_.back().begin + ranges_.back().count - 1; }
 
   private:
-    std::span<const FacetRange> runs_;
+    std::span<const FacetRange> ranges_;
 };
 
-/// A list of facets for each of some others.
+/// Many lists of facets, built one after the other.
 class FacetLists {
   public:
-    /// Ends the list to which `add` adds; the next one begins.
-    void end_list() { first_.push_back(static_cast<std::int32_t>(runs_.size())); }
-
+    /// Appends a facet to the present list.
     void add(std::int32_t facet) {
-        const bool new_list = static_cast<std::int32_t>(runs_.size()) == first_.back();
-        if (!new_list && runs_.back().count < FacetRange::longest &&
-            facet == runs_.back().begin + runs_.back().count)
-            ++runs_.back().count;
+        const auto present = ranges_.open_row();
+        const bool continues = !present.empty() && present.back().count < FacetRange::longest &&
+                               facet == present.back().begin + present.back().count;
+        if (continues)
+            ++present.back().count;
         else
-            runs_.push_back({facet, 1});
+            ranges_.push_back({facet, 1});
     }
+    /// Ends the present list and begins the next one.
+    void end_list() { ranges_.end_row(); }
 
-    void reserve(std::size_t lists) { first_.reserve(lists + 1); }
-    void shrink_to_fit() { runs_.shrink_to_fit(); }
+    void reserve(std::size_t lists) { ranges_.reserve_rows(lists); }
+    void shrink_to_fit() { ranges_.shrink_to_fit(); }
 
-    [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
-    [[nodiscard]] FacetRanges of(std::int32_t list) const {
-        const auto l = static_cast<std::size_t>(list);
-        return FacetRanges(std::span(runs_).subspan(static_cast<std::size_t>(first_[l]),
-                                                    static_cast<std::size_t>(first_[l + 1] - first_[l])));
-    }
+    [[nodiscard]] std::size_t size() const { return ranges_.rows(); }
+    [[nodiscard]] FacetRanges of(std::int32_t list) const { return FacetRanges(ranges_[list]); }
 
   private:
-    std::vector<std::int32_t> first_{0};  ///< run of each list
-    std::vector<FacetRange> runs_;
+    mesh::AdjacencyList<FacetRange> ranges_;  ///< by list
 };
 
 }  // namespace weavefront::contact

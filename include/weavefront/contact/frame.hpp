@@ -10,18 +10,18 @@
 
 namespace weavefront::contact {
 
-/// Straight bars on both sides of an opening, without end outwards and in z, rounded where they meet the
-/// opening; inflated by half the thickness of the fabric.
+/// Straight bars on both sides of an opening, with rounded inner edges. They extend without end outwards and
+/// along +z. The shape is inflated by half the thickness of the fabric.
 class FrameShape {
   public:
     /// @param top    height of the surface on which the last ply rests, m
     /// @param offset distance from the surface at which the fabric's mid-surface touches it, m
     FrameShape(const scene::Frame& frame, double top, double offset);
 
-    /// Depth of a point; nothing when it is outside.
+    /// Depth of a point; none outside. @param point m
     [[nodiscard]] std::optional<Depth> depth(const Vec3& point) const;
-    /// The same in one bar.
-    /// @param axis    whose opening the bar limits: 0 x, 1 y
+    /// Depth of a point in one bar; none outside.
+    /// @param axis    direction of the opening that the bar limits: 0 x, 1 y
     /// @param outward 1 or -1: the side of the opening on which the bar stands
     [[nodiscard]] std::optional<Depth> depth_in_bar(const Vec3& point, int axis, double outward) const;
 
@@ -29,7 +29,7 @@ class FrameShape {
     [[nodiscard]] bool may_touch(const Vec3& low, const Vec3& high) const;
 
   private:
-    std::array<std::optional<double>, 2> half_opening_;  // of the inflated bars
+    std::array<std::optional<double>, 2> half_opening_;  // of the inflated bars, m
     double top_, edge_;
 };
 

@@ -7,16 +7,16 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/contact/facet_quadrature.hpp"
 #include "weavefront/contact/frame.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
-#include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
 
 namespace weavefront::contact {
 
-/// The frame holds the fabric back from one side only: fabric may slide on it and lift off, but not pass.
-/// It pushes along the same normals as the projectile.
+/// One-sided contact: fabric may slide on the frame and lift off, but cannot pass through it. The frame
+/// pushes along the same directions as the projectile, see PushDirections.
 class FrameContact {
   public:
     /// The last ply of `surface` rests on the frame at the start. @param x initial positions, m
@@ -27,7 +27,7 @@ class FrameContact {
     /// @param normals of the plies, at these positions
     /// @param v       velocities over the last step, m/s
     /// @param dt      the last step, s
-    /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
+    /// @param sliding_share part of the overlap caused by sliding that may press, see Surroundings
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
                   std::span<const Vec3> v, double dt, double sliding_share, ContactForces& forces);
 
@@ -48,8 +48,7 @@ class FrameContact {
     };
     std::vector<FrameShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;    ///< by ply
-    Quadrature quadrature_;
-    mesh::Repeated<std::int32_t> rules_;        ///< of the owned facets
+    FacetQuadrature quadrature_;
     FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets
 };
 

@@ -1,15 +1,13 @@
 #pragma once
 /// @file
-/// Eight contact points of one facet at once. Loops over lanes are left to the compiler to vectorise; the
-/// lanes of a batch are always the same points of the same facet, so what a lane yields may depend on the
-/// others and is still the same on every rank.
+/// Batches of eight contact points of one facet. The compiler vectorises loops over their lanes. The lanes of
+/// a batch are the same points of the same facet on every rank, so results may depend on all lanes of a
+/// batch.
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-
-#include "weavefront/mesh/vec3.hpp"
 
 namespace weavefront::contact {
 
@@ -32,26 +30,5 @@ inline bool any(const LaneMask& mask) { return std::bit_cast<std::uint64_t>(mask
 struct VectorLanes {
     Lanes x, y, z;
 };
-
-/// Value of a facet's corners at one point of a batch: the bits of `interpolate`.
-/// @param N shape functions, [corner]
-inline Vec3 at_point(const std::array<Vec3, 4>& corners, const std::array<Lanes, 4>& N, std::size_t i) {
-    return N[0][i] * corners[0] + N[1][i] * corners[1] + N[2][i] * corners[2] + N[3][i] * corners[3];
-}
-
-/// Values of a facet's corners at the points of a batch.
-/// @param N shape functions, [corner]
-inline VectorLanes interpolate(const std::array<Vec3, 4>& corners, const std::array<Lanes, 4>& N) {
-    VectorLanes out;
-    for (std::size_t i = 0; i < batch_width; ++i) {
-        out.x[i] = N[0][i] * corners[0].x() + N[1][i] * corners[1].x() + N[2][i] * corners[2].x() +
-                   N[3][i] * corners[3].x();
-        out.y[i] = N[0][i] * corners[0].y() + N[1][i] * corners[1].y() + N[2][i] * corners[2].y() +
-                   N[3][i] * corners[3].y();
-        out.z[i] = N[0][i] * corners[0].z() + N[1][i] * corners[1].z() + N[2][i] * corners[2].z() +
-                   N[3][i] * corners[3].z();
-    }
-    return out;
-}
 
 }  // namespace weavefront::contact

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Boxes around what nodes have, for comparisons that are made very often.
+/// Boxes around positions or velocities of nodes.
 
 #include <array>
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace weavefront::contact {
 
-/// Axis-aligned box around the places or velocities of some nodes. A fourth number goes along with the three,
-/// whatever it may be: four are loaded and compared as fast as one.
+/// Axis-aligned box around the positions or velocities of nodes. A fourth component of no meaning is carried
+/// along: four numbers are loaded and compared as fast as one.
 class NodeBox {
   public:
     NodeBox() = default;
-    /// To which others are added.
+    /// An empty box.
     [[nodiscard]] static NodeBox none() {
         NodeBox box;
         box.low_.setConstant(std::numeric_limits<double>::infinity());
@@ -43,7 +43,7 @@ class NodeBox {
         low_ = low_.min(other.low_);
         high_ = high_.max(other.high_);
     }
-    /// Square of the most by which two values, one of either box, may differ.
+    /// Square of the largest distance of a value in this box to one in the other.
     [[nodiscard]] double squared_difference(const NodeBox& other) const {
         return (high_ - other.low_).max(other.high_ - low_).head<3>().matrix().squaredNorm();
     }
@@ -56,7 +56,7 @@ class NodeBox {
     [[nodiscard]] static Eigen::Array4d load(std::span<const Vec3> values, std::int32_t node) {
         const auto n = static_cast<std::size_t>(node);
         if (n + 1 == values.size())
-            return {values[n].x(), values[n].y(), values[n].z(), 0};  // nothing stands after it
+            return {values[n].x(), values[n].y(), values[n].z(), 0};  // no number follows the last one
         return Eigen::Map<const Eigen::Array4d>(values[n].data());
     }
 

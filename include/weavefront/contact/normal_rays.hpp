@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Lines along which a facet looks for what it touches.
+/// Rays from the points of a facet along the normals of its ply.
 
 #include <array>
 #include <optional>
@@ -11,22 +11,22 @@
 
 namespace weavefront::contact {
 
-// Both sides of a gap between plies are bilinear over an element, with edges of the other ply's elements in
-// between: more points than this along an edge resolve nothing. (The projectile's edge is finer than any
-// element; its contact knows no such bound.)
+// Both sides of a gap between plies are bilinear, with a few element edges in between. More points along an
+// edge than this resolve nothing. Contact with the projectile has no such bound, since its edges are finer
+// than elements.
 inline constexpr int most_points_along_edge = 4;
 inline constexpr std::size_t most_batches =
     (most_points_along_edge * most_points_along_edge + batch_width - 1) / batch_width;
 
-/// Lines through the points of a facet along the smoothed normals.
+/// Rays through the points of a facet along the smoothed normals of its ply.
 class NormalRays {
   public:
     /// @param corners, normals of the facet, m and of any length
-    /// @param back, ahead      how far against and along the lines something may be met, m
+    /// @param back, ahead      lengths of the rays against and along their direction, m
     NormalRays(const QuadratureRule& rule, const std::array<Vec3, 4>& corners,
                const std::array<Vec3, 4>& normals, double back, double ahead);
 
-    /// Whether a box meets the one around all that the lines may meet.
+    /// Whether a ray may hit a facet in a box: false only if the box around all rays is apart from it.
     [[nodiscard]] bool may_reach(const Box& box);
 
     std::array<Rays, most_batches> batches;
@@ -36,7 +36,7 @@ class NormalRays {
 
     std::size_t batch_count_;
     double back_, ahead_;
-    std::optional<Box> stretch_;  ///< where it was needed: most often the box meets that of one line
+    std::optional<Box> stretch_;  ///< box around all rays, on demand: a test of one ray mostly decides
 };
 
 }  // namespace weavefront::contact

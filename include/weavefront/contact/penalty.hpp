@@ -12,11 +12,11 @@
 
 namespace weavefront::contact {
 
-/// What a contact point remembers.
+/// State of a contact point that lasts from step to step.
 struct Penetration {
-    double overlap = 0;  ///< geometric, as last seen, m; 0: apart
-    double ignored = 0;  ///< part of it that motion did not bring about, m: it presses nothing
-    double opened = 0;   ///< by how much the sides have opened from their closest approach, m
+    double overlap = 0;  ///< geometric overlap at the last step, m; 0: apart
+    double ignored = 0;  ///< part of the overlap that motion did not cause, m; it does not press
+    double opened = 0;   ///< opening of the two sides since their closest approach, m
 
     /// The penetration g that presses, m.
     [[nodiscard]] double present() const { return overlap - ignored; }
@@ -29,68 +29,64 @@ struct Penetration {
     }
 };
 
-/// What the points of a batch remember.
+/// State of the points of a batch.
 struct PenetrationLanes {
     Lanes overlap{}, ignored{}, opened{};
 };
 
-/// How the two sides of a contact point have moved over the last step.
+/// Relative motion of the two sides of a contact point over the last step.
 struct RelativeMotion {
     double closing;  ///< rate of approach along the force, m/s
-    double normal;   ///< rate at which that approach changes the overlap, m/s: less where the overlap is
-                     ///< measured along another direction
-    double most;     ///< bound on the rate at which any relative motion changes the overlap, m/s
+    double normal;   ///< rate of the overlap due to `closing`, m/s; smaller where the overlap is measured
+                     ///< along another direction
+    double most;     ///< upper bound of the rate of the overlap due to any relative motion, m/s
 };
 
-/// The same for the points of a batch whose overlap is measured along the force.
+/// Relative motion of the points of a batch, whose overlap is measured along the force.
 struct RelativeMotionLanes {
     Lanes closing, most;
 };
 
-/// What a point knows of those around it.
+/// Input of a point's law that is common to all points of its facet.
 struct Surroundings {
-    double dissipated_budget =
-        0;  ///< of the facet before any of its points was advanced in this step, J/m2: see PenaltyLaw
-    double sliding_share = 1;  ///< part of the overlap brought about by sliding that may press
+    double dissipated_budget = 0;  ///< of the facet at the start of the step, J/m2: see PenaltyLaw
+    double sliding_share = 1;      ///< part of the overlap caused by sliding that may press
 };
 
-/// What a contact point, or the points of a facet, do over a step.
+/// Response of a contact point, or sum over the points of a facet, in a step.
 struct ContactResponse {
     double pressure = 0;  ///< Pa
     double dissipated =
-        0;  ///< less what recovery has cost: goes to the facet's dissipated budget, J/m2, see PenaltyLaw
+        0;  ///< dissipated energy less the cost of recovery, J/m2; the facet adds it to its dissipated budget
     SlidingEnergy sliding;
 };
 
-/// Pressure over penetration g: loading along k g; unloading and reloading along the slope u k; never
-/// tensile. Woven fabric under transverse compression returns little of the work done on it; u = 1 is the
-/// elastic contact of the paper's time. The stiffness is per area and belongs to the fabric: mesh and time
-/// step do not enter.
+/// Hysteretic penalty law: first loading along p = k g, unloading and reloading along the slope u k, no
+/// tension. Woven fabric under transverse compression returns little of the work done on it; u = 1 is elastic
+/// contact. The stiffness is per area and a property of the fabric. Neither mesh nor time step enters it.
 ///
-/// The penetration follows the geometry as far as the two sides can have moved. An overlap that appears
-/// faster is a jump of the geometry (a facet changes, an element disappears, an overlap is found late): it is
-/// ignored until the sides part, so that nothing is pushed out at once. Motion counts in any direction: where
-/// a curved side slides along the other one, the overlap changes without any approach along the force, rises
-/// ahead and falls behind.
+/// The penetration grows at most as fast as the two sides move. A faster overlap is a jump of the geometry: a
+/// point changes its facet, an element is eroded, or an overlap is found late. The jump is ignored until the
+/// sides part; it would push them apart at once. Motion counts in any direction. Where a curved side slides
+/// along the other one, the overlap rises ahead and falls behind without approach along the force.
 ///
-/// Only approach along the force loads and unloads: with d the way by which the sides have opened since their
-/// closest approach, p = k g - (u - 1) k d. Without sliding, g + d is the largest penetration and this is the
-/// unloading line through it. Points that slide keep their d as long as they press; where sliding closes a
-/// point that has ceased to press, it presses again at once.
+/// Only motion along the force loads and unloads. With d the opening since the closest approach, the pressure
+/// is p = k g - (u - 1) k d. Without sliding, g + d is the largest penetration, and this is the unloading
+/// line through it. A sliding point keeps its d while it presses. A point that has ceased to press and is
+/// closed by sliding presses again at once.
 ///
-/// Sliding does no work along the force, so what it stores in the points ahead must come from those behind.
-/// The points report both; whoever adds them up says which share of the overlap by sliding may press, so that
-/// contact never gives more than it has taken.
+/// Sliding does no work along the force. So the energy that it stores in points ahead must come from points
+/// behind. The law reports both energies. SlidingAccount sums them and sets the share of the overlap caused
+/// by sliding that may press, so contact never returns more energy than it has received.
 ///
-/// An ignored overlap recovers: it shrinks slowly, and the energy that the point can then give back is taken
-/// from the dissipated budget of the facet: what contact has dissipated there before this step and not yet
-/// spent. In each step a point may spend the part of that budget that its area is of the facet's; what it
-/// gets does not depend on the order of the points. Elastic contact, u = 1, gives back all that it takes and
-/// has nothing to recover with.
+/// An ignored overlap recovers: it shrinks slowly. The energy that the point gains by it comes from the
+/// dissipated budget of its facet: energy that contact has dissipated there before this step and not yet
+/// spent. In each step a point may spend its area's share of that budget, so the order of the points does not
+/// matter. Elastic contact, u = 1, dissipates nothing and cannot recover.
 class PenaltyLaw {
   public:
     /// @param law     stiffness k (Pa/m), unloading ratio u >= 1, fraction of critical damping
-    /// @param density mass per area that the contact moves: m1 m2/(m1 + m2) of the two sides, kg/m2
+    /// @param density reduced mass per area m1 m2/(m1 + m2) of the two sides, kg/m2
     PenaltyLaw(const scene::ContactLaw& law, double density)
         : stiffness_(law.stiffness),
           unloading_(law.unloading),
@@ -99,11 +95,11 @@ class PenaltyLaw {
                                                  (2 * std::numbers::pi * recovery_periods)
                                            : 0) {}
 
-    /// Advances a point.
-    /// @param geometric overlap seen now, m; negative when apart
+    /// Advances a point by a step.
+    /// @param geometric present overlap, m; negative: apart
     /// @param motion    over the last step
     /// @param dt        the last step, s
-    /// @param share     of the facet's area that the point stands for
+    /// @param share     share of the facet's area of the point
     ContactResponse advance(Penetration& point, double geometric, const RelativeMotion& motion, double dt,
                             double share, const Surroundings& around) const {
         const auto step = step_of(point, geometric, motion, dt, share, around);
@@ -111,9 +107,10 @@ class PenaltyLaw {
         return step.response;
     }
 
-    /// The same for the points of a batch; those that have not met anything stay as they are and have no
+    /// Advances the points of a batch by a step. Points without a master keep their state and have no
     /// pressure.
-    /// @param sum of what all points do, but for their pressures: added to
+    /// @param met points with a master
+    /// @param sum the responses of the points are added to it, except for their pressures
     [[nodiscard]] Lanes advance(PenetrationLanes& points, const LaneMask& met, const Lanes& geometric,
                                 const RelativeMotionLanes& motion, double dt, const Lanes& share,
                                 const Surroundings& around, ContactResponse& sum) const {
@@ -142,9 +139,9 @@ class PenaltyLaw {
     }
 
   private:
-    // An overlap recovers within this many periods of two plies on the unloading line of the contact: so
-    // slowly that they are moved apart by pressures far below those that made it, and within some 20 us for
-    // stiffnesses of fabric, a fraction of an impact.
+    // An ignored overlap recovers within this many periods of two plies that oscillate on the unloading line.
+    // Recovery pressures then are far below those of the impact. For fabric this takes some 20 us, a fraction
+    // of an impact.
     static constexpr double recovery_periods = 100;
 
     struct Step {
@@ -157,12 +154,12 @@ class PenaltyLaw {
         const auto approached = approach(before, geometric, motion, dt);
         const auto moved = slide(approached, around.sliding_share);
         const double stored = recoverable(approached.point), after = recoverable(moved);
-        // The work of a step is that of the mean of the pressures at its ends.
+        // The mean of the pressures at both ends of the step does its work.
         const double work = (elastic_pressure(before) + elastic_pressure(moved)) / 2 * motion.closing * dt;
         const double dissipated = work - (stored - recoverable(before));
 
-        // A metre of recovery costs at most the pressure that first loading has at the largest penetration
-        // and, as the pressure is higher from now on, half of what it adds to it over what the sides open.
+        // Cost of recovery per metre: at most the pressure of first loading at the largest penetration, plus
+        // half of the pressure that it adds over the opening of this step.
         const double recovery = std::min(recovery_rate_ * dt, 1.0) * moved.ignored,
                      opening = std::max(-motion.closing * dt, 0.0);
         const double price = stiffness_ * (moved.present() + std::max(moved.opened, recovery)) +
@@ -183,10 +180,10 @@ class PenaltyLaw {
                 {presses ? pressure : 0.0, share * (dissipated + damped - cost), sliding}};
     }
 
-    /// A point after the approach of a step, without sliding.
+    /// A point after the motion along the force, before sliding.
     struct Approached {
         Penetration point;
-        double present;  ///< penetration that sliding makes of it, m
+        double present;  ///< penetration with sliding, m
 
         [[nodiscard]] Penetration whole() const {
             return {point.overlap, point.overlap - present, point.opened};
@@ -200,7 +197,7 @@ class PenaltyLaw {
                      change = motion.normal * dt;
         const bool was_pressed = before.present() > 0;
         const double opened = std::max((was_pressed ? before.opened : 0.0) - change, 0.0);
-        // A point that comes in approaches by no more than it is in.
+        // At its first contact a point has approached by no more than its penetration.
         const double approached = std::max(before.present() + change, 0.0),
                      without_sliding = was_pressed ? approached : std::min(approached, present);
         return {{overlap, overlap - without_sliding, opened}, present};
@@ -223,7 +220,7 @@ class PenaltyLaw {
         return std::max(stiffness_ * (point.present() - (unloading_ - 1) * point.opened), 0.0);
     }
 
-    /// What a point gives back when it opens, J/m2.
+    /// Energy that a point returns when it opens, J/m2.
     [[nodiscard, gnu::always_inline]] double recoverable(const Penetration& point) const {
         const double pressure = elastic_pressure(point);
         return pressure * pressure / (2 * unloading_ * stiffness_);

@@ -1,9 +1,11 @@
 #pragma once
 /// @file
-/// What the points of facets remember.
+/// The state of contact points between plies that lasts from step to step.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "weavefront/contact/facet_memory.hpp"
 #include "weavefront/contact/normal_rays.hpp"
@@ -11,26 +13,57 @@
 
 namespace weavefront::contact {
 
+/// Penetrations of the points of one facet, [batch].
 using FacetPoints = std::array<PenetrationLanes, most_batches>;
 
-/// Points of the facets that touch something; the others have no memory and take no room.
+/// Penetrations of the facets in contact, and the dissipated budget of every owned facet. Facets without
+/// contact have no penetrations and take no memory for them.
 class PointMemory {
   public:
-    explicit PointMemory(std::size_t facets) : memories_(static_cast<std::int32_t>(facets)) {}
+    /// @param facets number of owned facets
+    explicit PointMemory(std::size_t facets)
+        : penetrations_(static_cast<std::int32_t>(facets)), dissipated_budgets_(facets) {}
 
-    [[nodiscard]] bool holds(std::int32_t facet) const { return memories_.find(facet) != nullptr; }
+    /// Whether a facet has penetrations.
+    [[nodiscard]] bool holds(std::int32_t facet) const { return penetrations_.find(facet) != nullptr; }
 
-    /// Those of a facet; fresh ones where it holds none.
+    /// Penetrations of a facet; zero where it has none.
     [[nodiscard]] FacetPoints recall(std::int32_t facet) const {
-        const auto* points = memories_.find(facet);
+        const auto* points = penetrations_.find(facet);
         return points ? *points : FacetPoints{};
     }
+    /// Replaces the penetrations of a facet.
+    void keep(std::int32_t facet, const FacetPoints& points) { penetrations_.take(facet) = points; }
+    /// Drops the penetrations of a facet. Its dissipated budget stays.
+    void forget(std::int32_t facet) { penetrations_.forget(facet); }
 
-    void keep(std::int32_t facet, const FacetPoints& points) { memories_.take(facet) = points; }
-    void forget(std::int32_t facet) { memories_.forget(facet); }
+    /// Dissipated budget of a facet, J/m2: see PenaltyLaw.
+    [[nodiscard]] double& dissipated_budget(std::int32_t facet) {
+        return dissipated_budgets_[static_cast<std::size_t>(facet)];
+    }
+
+    /// State of a facet, for an archive of module `state`.
+    template <class Archive>
+    void state(Archive& archive, std::int32_t facet) {
+        auto& budget = dissipated_budget(facet);
+        if (archive.size("dissipated_budget", budget != 0 ? 1 : 0) > 0) archive("dissipated_budget", budget);
+        constexpr std::size_t points_of_facet = most_batches * batch_width;
+        if (archive.size("overlap", holds(facet) ? points_of_facet : 0) == 0) return;
+        FacetPoints points = recall(facet);
+        for (auto& batch : points)
+            for (std::size_t i = 0; i < batch_width; ++i) {
+                Penetration point{batch.overlap[i], batch.ignored[i], batch.opened[i]};
+                point.state(archive);
+                batch.overlap[i] = point.overlap;
+                batch.ignored[i] = point.ignored;
+                batch.opened[i] = point.opened;
+            }
+        if constexpr (Archive::reads) keep(facet, points);
+    }
 
   private:
-    FacetMemory<FacetPoints> memories_;
+    FacetMemory<FacetPoints> penetrations_;
+    std::vector<double> dissipated_budgets_;  ///< J/m2
 };
 
 }  // namespace weavefront::contact

@@ -11,11 +11,11 @@
 
 namespace weavefront::contact {
 
-/// Where a point of the fabric came in. A point keeps its side until it has been outside, so that the contact
-/// normal does not jump between the face and the side of the projectile at a sharp edge.
+/// The side through which a point of the fabric entered the projectile. A point keeps its side until it has
+/// left, so the contact normal does not jump at a sharp edge.
 enum class Side : std::uint8_t { none, front, side, rear };
 
-/// Sphere, or cylinder about z with rounded rims, inflated by half the thickness of the fabric; the nose
+/// Sphere, or cylinder about z with rounded edges, inflated by half the thickness of the fabric. The nose
 /// points to +z.
 class ProjectileShape {
   public:
@@ -25,7 +25,7 @@ class ProjectileShape {
     /// Depth of a point relative to the nose of the (not inflated) projectile.
     /// @param point position minus that of the nose, m
     /// @param side  memory of the point, updated
-    /// @return      nothing when the point is outside
+    /// @return      none outside
     [[nodiscard]] std::optional<Depth> depth(const Vec3& point, Side& side) const;
 
     /// Radius of the inflated shape about its axis, m.
@@ -36,7 +36,7 @@ class ProjectileShape {
 
   private:
     [[nodiscard]] std::optional<Depth> sphere_depth(const Vec3& point) const;
-    /// Distance along z by which the rounded face lies behind its plane at a radius, m.
+    /// Distance along z of the rounded face behind its plane at a radius, m.
     [[nodiscard]] double rim_drop(double radius) const;
     /// Depth below the face looking along the axis; `direction` +1 for the front, -1 for the rear.
     [[nodiscard]] Depth face_depth(const Vec3& point, double radius, double axial, double direction) const;

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/contact/facet_quadrature.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/projectile.hpp"
-#include "weavefront/contact/quadrature.hpp"
 #include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/contact/swept_bounds.hpp"
@@ -21,17 +21,19 @@ struct ProjectileState {
     Vec3 velocity{0, 0, 0};  ///< m/s
 };
 
-/// Integrated contact pushes along the smoothed normals of the plies, as contact between them does; contact
-/// at the nodes along those of the projectile.
+/// Contact at integration points pushes along the smoothed normals of the plies, see PushDirections. Contact
+/// at the nodes pushes along the normals of the projectile.
 class ProjectileContact {
   public:
     /// @param x initial positions, for the integration points, m
     ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law,
                       std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x);
 
-    /// Chooses the owned facets that may come under the projectile while no node, nor the projectile, is more
-    /// than half of `skin` away from where it is expected in x or y.
-    /// @param way footprint of the way of the projectile's nose
+    /// Chooses the owned facets that may come under the projectile. They hold until a node or the projectile
+    /// is more than half of `skin` outside of its swept bounds in x or y.
+    /// @param swept bounds of the nodes
+    /// @param way   footprint that the projectile's nose sweeps
+    /// @param skin  m
     void update_candidates(const Surface& surface, const SweptBounds& swept, const Footprint& way,
                            double skin);
 
@@ -39,7 +41,7 @@ class ProjectileContact {
     /// @param normals of the plies, at these positions
     /// @param v       velocities over the last step, m/s
     /// @param dt      the last step, s
-    /// @param sliding_share part of the overlap brought about by sliding that may press, see Surroundings
+    /// @param sliding_share part of the overlap caused by sliding that may press, see Surroundings
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
                   std::span<const Vec3> v, const ProjectileState& projectile, double dt, double sliding_share,
                   ContactForces& forces);
@@ -47,7 +49,7 @@ class ProjectileContact {
     /// Owned facets that may come under the projectile before the next search.
     [[nodiscard]] std::span<const std::int32_t> candidates() const { return candidates_; }
 
-    /// Whether any point of an owned facet remembers a penetration, or may soon.
+    /// Whether an owned facet is in contact, or near enough for its points to have a side.
     [[nodiscard]] bool touches(std::int32_t facet) const {
         const auto* memory = memories_.find(facet);
         return memory && !memory->points.empty();
@@ -74,8 +76,7 @@ class ProjectileContact {
 
     std::vector<ProjectileShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;         ///< by ply
-    Quadrature quadrature_;
-    mesh::Repeated<std::int32_t> rules_;        ///< of the owned facets
+    FacetQuadrature quadrature_;
     std::vector<std::int32_t> candidates_;      ///< owned facets
     FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets
 };

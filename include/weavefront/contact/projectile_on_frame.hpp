@@ -14,9 +14,8 @@
 
 namespace weavefront::contact {
 
-/// Each bar of the frame presses on the point of the projectile that is foremost towards it, along its own
-/// normal. The pressure of the projectile's contact law acts on the cross-section of the projectile. Every
-/// rank computes the same.
+/// Each bar of the frame presses along its normal on the projectile's foremost point. The pressure of the
+/// projectile's contact law acts on the cross-section of the projectile. Every rank computes the same force.
 class ProjectileOnFrame {
   public:
     /// @param top height of the surface on which the last ply rests, m
@@ -42,14 +41,15 @@ class ProjectileOnFrame {
 
   private:
     struct Bar {
-        int axis;        ///< whose opening it limits
-        double outward;  ///< 1 or -1: the side on which it stands
+        int axis;        ///< direction of the opening that the bar limits
+        double outward;  ///< 1 or -1: the side of the opening on which the bar stands
         Penetration penetration;
     };
-    FrameShape shape_;  ///< inflated by the radius of the projectile's rims
+    FrameShape shape_;  ///< inflated by the edge radius of the projectile
     double area_;       ///< m2
-    double inset_;      ///< of the rims' centres from the side of the projectile, and from its nose, m
-    double reach_;      ///< of the rims' centres from the axis, m
+    double
+        inset_;  ///< distance of the edge's centre line from the side and from the nose of the projectile, m
+    double reach_;  ///< distance of the edge's centre line from the axis, m
     PenaltyLaw law_;
     std::array<Bar, 4> bars_;
 };

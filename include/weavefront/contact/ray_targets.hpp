@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Facets that the lines of a facet try.
+/// Facets on which the rays of a facet are tried.
 
 #include <array>
 #include <cstdint>
@@ -16,16 +16,18 @@
 
 namespace weavefront::contact {
 
-/// In the order in which lines try them: nearest ply first, in it the nearest centre first.
+/// Targets of the rays of one facet, in the order of trial: nearest ply first, and within a ply nearest
+/// centre first.
 class RayTargets {
   public:
-    /// Starts with none, for another facet at hand. @param corners of the facet, m
+    /// Starts with an empty list, for another facet. @param corners of the facet, m
     void start(const Facet& facet, const std::array<Vec3, 4>& corners);
 
-    /// Adds what of some candidates its lines may touch. The one that is there already stays the first. A ply
-    /// hides those behind it where it comes within the touching depth, as seen along z, and none of its
-    /// facets there is on a rim: what was near a rim at the time of the search for candidates does not
-    /// matter.
+    /// Lists the candidates that the rays may hit within contact distance. A target listed by an earlier call
+    /// stays the first. A ply hides the plies behind it where it lies over the facet, as seen along z, and
+    /// has no free edge there. The present positions decide, not those of the search for candidates.
+    /// @param rays of the facet
+    /// @param x    present positions, m
     void add(const FacetRanges& candidates, NormalRays& rays, const Surface& surface,
              const ContactDistances& distances, std::span<const Vec3> x);
 
@@ -35,7 +37,7 @@ class RayTargets {
   private:
     struct Near {
         std::int32_t facet, ply;
-        double apart;  ///< of the centres, m2
+        double apart;  ///< square of the distance of the centres, m2
     };
     std::int32_t ply_ = 0;
     Vec3 centre_, normal_;

@@ -18,7 +18,7 @@
 
 namespace weavefront::contact {
 
-/// The facet at hand and what acts on its points.
+/// A facet and the rigid body that presses on its points.
 struct RigidPair {
     const Facet& facet;
     double area;  ///< initial, m2
@@ -30,14 +30,14 @@ struct RigidPair {
     Vec3 body_velocity{0, 0, 0};  ///< m/s
 };
 
-/// What a facet remembers of a rigid body. `Point` has a member `penetration`.
+/// State of a facet's contact with a rigid body. `Point` has a member `penetration`.
 template <class Point>
 struct RigidMemory {
-    std::vector<Point> points;     ///< none away from the body
-    double dissipated_budget = 0;  ///< see PenaltyLaw, J/m2
+    std::vector<Point> points;     ///< empty away from the body
+    double dissipated_budget = 0;  ///< J/m2, see PenaltyLaw
 };
 
-/// Forgets the points of a facet, which is away from the body.
+/// Drops the points of a facet away from the body. Its dissipated budget stays.
 template <class Point>
 void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet) {
     auto* memory = memories.find(facet);
@@ -48,23 +48,13 @@ void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet
         memory->points = std::vector<Point>();
 }
 
-/// Rules of the initial shapes of a surface's owned facets. @param x initial positions, m
-inline mesh::Repeated<std::int32_t> rules_for(Quadrature& quadrature, const Surface& surface,
-                                              std::span<const Vec3> x) {
-    mesh::Repeated<std::int32_t> rules;
-    rules.one_ply.reserve(surface.areas.one_ply.size());
-    for (std::size_t f = 0; f < surface.areas.one_ply.size(); ++f)
-        rules.one_ply.push_back(quadrature.rule_for(corners_of(surface.facets[f].nodes, x)));
-    return rules;
-}
-
-/// Integrates the pressure over the points of a facet.
+/// Integrates the pressure of a rigid body over the points of a facet.
 /// @param x, v    positions and velocities of the nodes, m, m/s
 /// @param dt      the last step, s
 /// @param sliding_share see Surroundings
-/// @param depth   function of a position and of the memory of the point: its depth in the body, or nothing
-/// @param normals function that gives the PlyNormals of the facet, called when the first point is in the body
-/// @param forces  what the facet does is appended
+/// @param depth   function of a position and the state of a point; returns the depth in the body, or none
+/// @param normals function that returns the PlyNormals of the facet; called only if a point is in the body
+/// @param forces  the force and sliding energy of the facet are appended
 template <class Point, class DepthOf, class NormalsOf>
 void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
            double sliding_share, RigidMemory<Point>& memory, DepthOf depth, NormalsOf normals,
@@ -91,7 +81,7 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
             const Vec3 direction = directions->at(at, batch.N, i);
             const Vec3 relative = pair.body_velocity - at_point(velocities, batch.N, i);
             const double closing = relative.dot(direction);
-            // The depth is a distance: it changes by no more than the sides move.
+            // The depth is a distance, so its rate is at most the relative speed.
             const RelativeMotion motion{closing, closing * direction.dot(at.normal), relative.norm()};
             const auto response =
                 pair.law.advance(point.penetration, at.depth, motion, dt, batch.share[i], around);

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Energy that sliding has released in contact and not handed on yet.
+/// The account of energy that sliding releases and takes.
 
 #include <algorithm>
 #include <cstdint>
@@ -8,20 +8,22 @@
 
 namespace weavefront::contact {
 
-/// The account of contacts of one kind, over all ranks. Points ahead may take what points behind have
-/// released, up to the last step: contact then gives no energy, and a curved side that slides along a uniform
-/// surface lacks no more than one step of it. Energies are integers of the fixed-point scale of the ledger,
-/// so that every rank has the same.
+/// Account of one kind of contact over all ranks. Points that sliding closes may take the energy that opening
+/// points have released up to the last step. So contact never creates energy. A curved side that slides along
+/// a uniform surface lacks at most one step of its energy. Energies are integers of the ledger's fixed-point
+/// scale, the same on every rank.
 class SlidingAccount {
   public:
-    /// Part of the overlap by sliding that may press in the next step, judged by what the last step wanted.
+    /// Part of the overlap caused by sliding that may press in the next step, from the demand of the last
+    /// one.
     [[nodiscard]] double share() const {
         if (balance_ <= 0) return 0;
         return wanted_ <= balance_ ? 1 : static_cast<double>(balance_) / static_cast<double>(wanted_);
     }
 
-    /// Books a step. @param released less what was taken @param wanted by points ahead; both summed over
-    /// ranks
+    /// Books a step.
+    /// @param released energy released less energy taken, summed over ranks
+    /// @param wanted   energy that closing points would have taken, summed over ranks
     void book(std::int64_t released, std::int64_t wanted) {
         balance_ += released;
         wanted_ = wanted;

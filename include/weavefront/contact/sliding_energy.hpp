@@ -4,12 +4,12 @@
 
 namespace weavefront::contact {
 
-/// Sliding does no work along the force of contact. What it stores in points ahead of a curved side comes
-/// from the points behind. Per area, J/m2, or of a facet, J.
+/// Energy that sliding moves, per area (J/m2) or of a facet (J). Sliding does no work along the contact
+/// force. Energy that it stores in points ahead of a curved side comes from the points behind.
 struct SlidingEnergy {
     double released = 0;  ///< by points that sliding opens
-    double taken = 0;     ///< by points that it closes
-    double wanted = 0;    ///< what these would have taken for all of their overlap
+    double taken = 0;     ///< by points that sliding closes
+    double wanted = 0;    ///< energy that they would have taken with their whole overlap
 
     void add(const SlidingEnergy& other) {
         released += other.released, taken += other.taken, wanted += other.wanted;

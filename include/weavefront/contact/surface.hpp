@@ -1,20 +1,19 @@
 #pragma once
 /// @file
-/// The plies as contact sees them on one rank: owned facets and the ghosts around them.
+/// The surface of the plies on one rank: owned facets and the ghost facets around them.
 
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "weavefront/contact/lanes.hpp"
+#include "weavefront/contact/bilinear_quad.hpp"
 #include "weavefront/mesh/repeated.hpp"
 #include "weavefront/mesh/vec3.hpp"
 
 namespace weavefront::contact {
 
-/// A quad of a ply. There is one for every element of a rank, so its numbers take no more room than they
-/// need.
+/// A quad of a ply. Every element of a rank has one, so it is packed.
 struct Facet {
     std::int64_t id : 48;  ///< global element
     std::int32_t ply : 16;
@@ -27,7 +26,7 @@ struct Facet {
 };
 static_assert(sizeof(Facet) == 24);
 
-/// What the plies have in common, by ply.
+/// Properties of a ply.
 struct PlyProperties {
     double z = 0;              ///< initial height, m
     double thickness = 0;      ///< contact thickness, m
@@ -37,15 +36,14 @@ struct PlyProperties {
 /// Facets in ascending global order among the owned ones and among the ghosts.
 struct Surface {
     std::vector<Facet> facets;        ///< owned ones first
-    std::vector<std::uint8_t> alive;  ///< of each facet
-    /// Of each facet: it has lost a neighbour, one that shared a node with it, or is on an edge of its ply
-    /// that may move. None as long as all facets are alive: a ply is then met only by those next to it.
+    std::vector<std::uint8_t> alive;  ///< by facet
+    /// By facet: whether it has lost a neighbour with a common node, or lies on an edge of its ply that may
+    /// move. Empty while all facets are alive: each ply then meets the next one only.
     std::vector<std::uint8_t> on_free_edge;
-    std::int32_t owned = 0;  ///< number of owned facets
-    mesh::Repeated<double>
-        areas;  ///< initial areas of the owned facets, m2: these repeat as the initial shapes do
+    std::int32_t owned = 0;        ///< number of owned facets
+    mesh::Repeated<double> areas;  ///< initial areas of the owned facets, m2; they repeat from ply to ply
     std::vector<PlyProperties> plies;
-    std::array<bool, 2> symmetry{};  ///< the plane x = 0 (y = 0) is one of symmetry
+    std::array<bool, 2> symmetry{};  ///< whether x = 0 (y = 0) is a plane of symmetry
 };
 
 /// Axis-aligned box.
@@ -69,15 +67,15 @@ struct Box {
     }
 };
 
-/// What a facet presses on.
+/// The body on which a facet presses.
 enum class Master : std::uint8_t { facet, projectile, frame };
 
-/// Contact forces between one facet and another, or a rigid body: summed over the points of the pair, shared
-/// out to the nodes.
+/// Contact force between a facet and another facet or a rigid body: the sum over the points of the pair, as
+/// nodal forces.
 struct PairForce {
     std::array<std::int32_t, 4> slave{}, master{};
     std::array<Vec3, 4> on_slave, on_master;  ///< N
-    Vec3 total{0, 0, 0};                      ///< on the slave, N; the master takes the opposite
+    Vec3 total{0, 0, 0};                      ///< on the slave, N; the master receives the opposite
     Master kind = Master::facet;
 
     PairForce(const std::array<std::int32_t, 4>& slave_nodes, const std::array<std::int32_t, 4>& master_nodes)
@@ -91,14 +89,16 @@ struct PairForce {
         kind = rigid;
     }
 
-    /// The force at one point of a batch. @param on_slave_point N @param slave_N, master_N shape functions of
-    /// the two facets
-    void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N,
-             const std::array<Lanes, 4>& master_N, std::size_t lane) {
+    /// Adds the force at one point of a batch.
+    /// @param on_slave_point    N
+    /// @param slave_N, master_N shape functions at the points of the batch
+    void add(const Vec3& on_slave_point, const ShapeFunctions& slave_N, const ShapeFunctions& master_N,
+             std::size_t lane) {
         add(on_slave_point, slave_N, lane);
         for (std::size_t a = 0; a < 4; ++a) on_master[a] -= master_N[a][lane] * on_slave_point;
     }
-    void add(const Vec3& on_slave_point, const std::array<Lanes, 4>& slave_N, std::size_t lane) {
+    /// The same against a rigid body.
+    void add(const Vec3& on_slave_point, const ShapeFunctions& slave_N, std::size_t lane) {
         for (std::size_t a = 0; a < 4; ++a) on_slave[a] += slave_N[a][lane] * on_slave_point;
         total += on_slave_point;
     }

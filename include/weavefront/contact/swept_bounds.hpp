@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Where nodes and facets are expected, as seen along z, until the next search for what may meet.
+/// Rectangles in x and y that nodes and facets sweep until the next search for candidates.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace weavefront::contact {
 
-/// A rectangle in x and y, m; empty until it includes something.
+/// A rectangle in x and y, m. It is empty at first.
 struct Footprint {
     double x_low = std::numeric_limits<double>::max(), x_high = -x_low, y_low = x_low, y_high = -x_low;
 
@@ -22,22 +22,24 @@ struct Footprint {
         x_low = std::min(x_low, other.x_low), x_high = std::max(x_high, other.x_high);
         y_low = std::min(y_low, other.y_low), y_high = std::max(y_high, other.y_high);
     }
-    /// Whether `other` comes within `reach` of this one; never when this one is empty.
+    /// Whether `other` lies within `reach` (m) of this footprint along x and y. False if this footprint is
+    /// empty.
     [[nodiscard]] bool near(const Footprint& other, double reach) const {
         return other.x_low <= x_high + reach && other.x_high >= x_low - reach &&
                other.y_low <= y_high + reach && other.y_high >= y_low - reach;
     }
 };
 
-/// Footprints of nodes on their way ahead. Fragments that fly fast but straight stay in theirs, and ask for
-/// no search on the way. Single precision: some nanometres are nothing to the skin of a search.
+/// Footprints that nodes sweep at constant velocity. Fragments that fly fast and straight stay in their
+/// footprints and cause no search. Single precision suffices: its error of some nanometres is far below the
+/// skin of a search.
 class SweptBounds {
   public:
     SweptBounds() = default;
-    /// @param v     velocities, m/s, that the nodes may keep
-    /// @param ahead for so long, s
+    /// @param v     velocities, m/s
+    /// @param ahead time until the next search, s
     SweptBounds(std::span<const Vec3> x, std::span<const Vec3> v, double ahead);
-    /// Nodes that stay where they are.
+    /// Footprints of nodes at rest. @param x m
     explicit SweptBounds(std::span<const Vec3> x) : SweptBounds(x, x, 0) {}
 
     [[nodiscard]] bool empty() const { return middles_.empty(); }
@@ -52,15 +54,16 @@ class SweptBounds {
         return footprint;
     }
 
-    /// From now on a node is expected everywhere.
+    /// Lets a node be anywhere: `any_outside` does not count it any more.
     void ignore(std::size_t node) { halves_[node].fill(std::numeric_limits<float>::max()); }
 
-    /// Whether one of the first nodes is farther than `margin` from its footprint along x or y. @param x of
-    /// these nodes, m
+    /// Whether one of the first nodes is farther than `margin` (m) outside of its footprint along x or y.
+    /// @param x positions of the first nodes, m
     [[nodiscard]] bool any_outside(std::span<const Vec3> x, double margin) const;
 
   private:
-    std::vector<std::array<float, 2>> middles_, halves_;  ///< of the nodes' footprints, m
+    std::vector<std::array<float, 2>> middles_,
+        halves_;  ///< by node: centre and half size of its footprint, m
 };
 
 }  // namespace weavefront::contact

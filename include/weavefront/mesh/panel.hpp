@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// The panel: a rectangular target of plies over one common grid of columns. It is described, not stored: ids
-/// and coordinates are computed, so that no rank has to hold the whole mesh.
+/// The panel: a rectangular target of plies over one common grid of columns. Ids and coordinates are
+/// computed, so no rank holds the whole mesh.
 
 #include <array>
 #include <cstdint>
@@ -12,17 +12,18 @@
 
 namespace weavefront::mesh {
 
-/// A column is one footprint cell with the elements of all plies over it.
+/// Grid and plies of the target. A column is one cell of the grid with the elements of all plies over it.
 ///
 /// Canonical (global) ids: column c = j * columns_x + i; element = ply * columns + c; node = ply *
 /// nodes_per_ply + j * (columns_x + 1) + i.
 struct Panel {
     std::vector<double> x;           ///< grid lines, ascending, m
     std::vector<double> y;           ///< grid lines, ascending, m
-    std::vector<scene::Ply> plies;   ///< from the struck side
-    std::array<bool, 2> symmetry{};  ///< the first line of x (y) is a plane of symmetry
+    std::vector<scene::Ply> plies;   ///< struck side first
+    std::array<bool, 2> symmetry{};  ///< whether the first line of x (y) is a plane of symmetry
     std::array<scene::Edge, 2> edges{};
 
+    /// Number of columns along x.
     [[nodiscard]] std::int64_t columns_x() const { return static_cast<std::int64_t>(x.size()) - 1; }
     [[nodiscard]] std::int64_t columns_y() const { return static_cast<std::int64_t>(y.size()) - 1; }
     [[nodiscard]] std::int64_t columns() const { return columns_x() * columns_y(); }
@@ -46,12 +47,12 @@ struct Panel {
     /// Directions in which a footprint node cannot move: bit 0 x, bit 1 y, bit 2 z.
     [[nodiscard]] std::uint8_t supports(std::int64_t footprint_node) const;
 
-    /// How many times the modelled part makes the whole target: 1, 2 or 4.
+    /// Copies of the modelled part in the whole target: 1, 2 or 4.
     [[nodiscard]] int multiplicity() const { return (symmetry[0] ? 2 : 1) * (symmetry[1] ? 2 : 1); }
 };
 
-/// The panel of a scene's target, graded around the point under the projectile's axis (the origin if there is
-/// none).
+/// The panel of a scene's target, graded around the axis of the projectile. Without a projectile the origin
+/// takes its place.
 /// @throws std::invalid_argument when the scene has no target
 Panel make_panel(const scene::Scene& scene);
 

@@ -12,7 +12,7 @@
 
 namespace weavefront::mesh {
 
-/// Owned elements and the nodes that they touch, in ascending global order.
+/// Owned elements and their nodes, in ascending global order.
 struct Part {
     std::vector<std::int64_t> node_ids;                      ///< global
     std::vector<Vec3> positions;                             ///< initial, m
@@ -27,7 +27,7 @@ struct Part {
     [[nodiscard]] std::int32_t local_element(std::int64_t id) const;
 };
 
-/// The part of a panel made of the given columns.
+/// Builds the part of a panel that consists of the given columns.
 /// @param columns ascending column ids
 Part make_part(const Panel& panel, std::span<const std::int64_t> columns);
 

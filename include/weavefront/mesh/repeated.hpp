@@ -7,8 +7,7 @@
 
 namespace weavefront::mesh {
 
-/// Values of the elements (or nodes) of a part where every ply has the same: plies stand over one grid of
-/// columns. One ply's are stored.
+/// Values of the elements or nodes of a part that are equal in every ply. Only those of one ply are stored.
 template <class T>
 struct Repeated {
     std::vector<T> one_ply;

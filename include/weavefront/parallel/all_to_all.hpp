@@ -10,7 +10,9 @@
 
 namespace weavefront::parallel {
 
-/// Sends outgoing[r] to rank r; returns what each rank sent here. T is trivially copyable. @note Collective
+/// Sends outgoing[r] to rank r. T is trivially copyable.
+/// @return by rank: the items that it sent to this rank
+/// @note Collective
 template <class T>
 std::vector<std::vector<T>> all_to_all(const Communicator& comm,
                                        const std::vector<std::vector<T>>& outgoing) {

@@ -14,9 +14,9 @@ namespace weavefront::parallel {
 /// Throws std::runtime_error with MPI's own text when `code` is not MPI_SUCCESS.
 void check(int code);
 
-/// Initialises MPI and finalises it at the end of its life; inside of another one it does neither. While it
-/// lives, a rank among several that runs out of memory says so and ends all of them with exit status 3.
-/// Threads that MPI starts take no signal that asks for an end.
+/// Initialises MPI and finalises it in its destructor. A nested environment does neither. A rank among
+/// several that runs out of memory reports it and ends all ranks with exit status 3. Threads that MPI starts
+/// receive no termination signals.
 class Environment {
   public:
     Environment(int* argc, char*** argv);
@@ -26,17 +26,17 @@ class Environment {
 
   private:
     bool is_outermost_ = false;
-    int exceptions_;  ///< under way when this was made
+    int exceptions_;  ///< exceptions in flight at construction
     int ranks_ = 1;
 };
 
-/// A duplicated communicator, freed at the end of its life.
+/// A duplicated communicator, freed by its destructor.
 class Communicator {
   public:
     /// @note Collective
     explicit Communicator(MPI_Comm original);
-    /// This process by itself, also where MPI has not been started: sums, extremes and broadcasts are its own
-    /// values; `get` is no handle.
+    /// A communicator of this process only; MPI need not be initialised. Sums, extremes and broadcasts return
+    /// its own values. `get` returns no valid handle.
     static Communicator alone() { return Communicator(); }
     ~Communicator();
     Communicator(Communicator&& other) noexcept;

@@ -13,29 +13,29 @@
 
 namespace weavefront::parallel {
 
-/// What travels one way between two ranks: local node indices, in the same order on both sides.
+/// Nodes whose values one rank sends to another: local indices, in the same global order on both ranks.
 struct SendList {
     std::vector<std::int32_t> nodes;
-    std::size_t dense_count =
-        0;  ///< the values of so many, the first ones, always travel; of the others those that are not zero
+    std::size_t dense_count = 0;  ///< values of the first `dense_count` nodes are always sent; of the other
+                                  ///< nodes only values that are not zero
 
     explicit SendList(std::vector<std::int32_t> always = {})
         : nodes(std::move(always)), dense_count(nodes.size()) {}
 };
 
-/// What this rank exchanges with one other.
+/// Nodes that this rank exchanges with one other rank.
 struct Neighbour {
     int rank = 0;
     SendList out, in;
 
-    /// Sums of the same nodes both ways, in the same global order on both sides.
+    /// Exchanges the same nodes both ways. @param nodes in the same global order on both ranks
     Neighbour(int other, const std::vector<std::int32_t>& nodes) : rank(other), out(nodes), in(nodes) {}
     Neighbour(int other, SendList sent, SendList received)
         : rank(other), out(std::move(sent)), in(std::move(received)) {}
 };
 
-/// Sums arrays of type T, which has some integers, over all ranks that share a node. Buffers live as long as
-/// the exchange.
+/// Sums node values of type T, an array of integers, over all ranks that share a node. Buffers are allocated
+/// once.
 template <class T>
 class Exchange {
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint64_t) == 0 &&
@@ -48,8 +48,8 @@ class Exchange {
         make_buffers();
     }
 
-    /// From now on ranks of this host exchange through shared memory, where the host has it; no other
-    /// exchange uses them then.
+    /// Lets ranks of this host exchange through shared memory from now on, if the host provides it.
+    /// `shared_memory` must outlive this exchange, and no other exchange may use it.
     /// @note Collective
     void use(const Communicator& comm, SharedMemoryExchange& shared_memory) {
         shared_memory_ = &shared_memory;
@@ -59,19 +59,20 @@ class Exchange {
                 lengths[static_cast<std::size_t>(neighbour.rank)] = most_bytes(neighbour.out);
         shared_memory.resize(lengths);
         for (std::size_t k = 0; k < neighbours_.size(); ++k)
-            in_memory_[k] = shared_memory.on_this_host(neighbours_[k].rank);  // unless it had no memory
+            in_memory_[k] =
+                shared_memory.on_this_host(neighbours_[k].rank);  // false where shared memory was refused
         make_buffers();
     }
 
-    /// Adds what the other ranks hold of shared nodes: values[n] += the other's values[n], as they were
-    /// before the call.
+    /// Adds the values of other ranks at shared nodes. Every rank contributes its values from before the
+    /// call.
     /// @note Collective over the neighbouring ranks; with shared memory over all
     void sum(const Communicator& comm, std::span<T> values) {
         start(comm, values);
         finish(values);
     }
 
-    /// The first half of `sum`: sends. `values` may be read and written until `finish`.
+    /// First half of `sum`: sends the values. The caller may read and change `values` until `finish`.
     void start(const Communicator& comm, std::span<const T> values) {
         requests_.clear();
         auto* message = incoming_.data();
@@ -94,7 +95,7 @@ class Exchange {
         if (shared_memory_) shared_memory_->publish();
     }
 
-    /// The second half of `sum`: waits and adds.
+    /// Second half of `sum`: waits for the values of other ranks and adds them.
     void finish(std::span<T> values) {
         for_each_neighbour(true, [&](const Neighbour& neighbour) {
             add(neighbour.in, shared_memory_->incoming(neighbour.rank), values);
@@ -111,10 +112,10 @@ class Exchange {
     [[nodiscard]] const std::vector<Neighbour>& neighbours() const { return neighbours_; }
 
   private:
-    // A message: the number of records, the values that always travel, and a record of each other one that is
-    // not zero.
+    // A message holds the number of records, the dense values, and a record for each sparse value that is not
+    // zero.
     struct Record {
-        std::uint64_t place;  ///< among the nodes of the list
+        std::uint64_t place;  ///< position in the node list
         T value;
     };
     static std::size_t bytes(const SendList& list, std::size_t records) {
@@ -159,7 +160,7 @@ class Exchange {
             if (in_memory_[k] == in_memory) use(neighbours_[k]);
     }
 
-    /// For what does not go through shared memory.
+    /// Allocates buffers for neighbours that are not reached through shared memory.
     void make_buffers() {
         std::size_t sent = 0, received = 0;
         for_each_neighbour(false, [&](const Neighbour& neighbour) {
@@ -171,7 +172,7 @@ class Exchange {
         requests_.reserve(2 * neighbours_.size());
     }
 
-    std::vector<Neighbour> neighbours_;  // none without nodes
+    std::vector<Neighbour> neighbours_;  // ranks that share nodes with this one
     std::vector<bool> in_memory_;
     SharedMemoryExchange* shared_memory_ = nullptr;
     std::vector<std::byte> outgoing_, incoming_;

@@ -7,18 +7,17 @@
 
 namespace weavefront::parallel {
 
-/// Represents reals as 64-bit integers. Integers add associatively and commutatively, so a sum has the same
-/// bits whatever the order of its terms and however they are spread over ranks.
+/// Represents reals as 64-bit integers. Integer addition is associative and commutative. So a sum has the
+/// same bits in any order of its terms and with any distribution of them over ranks.
 ///
-/// The scale is a power of two, so that scaling itself never rounds. A single term may use 1/256 of the
-/// range: a sum of up to 256 terms cannot overflow. For nodal forces that is the valence of a node (4
-/// elements) plus the contact points around it.
+/// The scale is a power of two, so scaling does not round. A single term may use 1/256 of the range, so a sum
+/// of 256 terms cannot overflow. For nodal forces these are the 4 elements of a node and the contact points
+/// around it.
 class FixedPoint {
   public:
     FixedPoint() = default;
 
-    /// @param largest a magnitude that no single term is expected to pass; up to 1024 times of it is
-    /// representable
+    /// @param largest expected upper bound of a single term; terms up to 1024 times of it are representable
     explicit FixedPoint(double largest) {
         int exponent = 0;
         std::frexp(largest, &exponent);  // largest <= 2^exponent
@@ -26,10 +25,10 @@ class FixedPoint {
         quantum_ = 1 / scale_;
     }
 
-    /// A term times the scale stays below this.
+    /// Upper bound of a term times the scale.
     static constexpr double limit = 0x1p54;
 
-    /// True when a term of this value may be added; false for NaN and infinity.
+    /// Whether a term is representable. False for NaN and infinity.
     [[nodiscard]] bool fits(double value) const { return std::abs(value) * scale_ < limit; }
 
     /// Nearest integer of the scaled value. @pre fits(value)
@@ -39,7 +38,7 @@ class FixedPoint {
 
     [[nodiscard]] double scale() const { return scale_; }
 
-    /// The smallest difference that is represented.
+    /// The smallest representable difference.
     [[nodiscard]] double quantum() const { return quantum_; }
 
   private:

@@ -8,7 +8,7 @@
 
 namespace weavefront::parallel {
 
-/// An item as one MPI element, so that counts and displacements stay in items and far from the range of int.
+/// An item as one MPI element. Counts and displacements are then in items, far below the range of int.
 class ItemType {
   public:
     explicit ItemType(std::size_t bytes) {

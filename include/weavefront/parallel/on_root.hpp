@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// What rank 0 does for all.
+/// Actions of rank 0 on behalf of all ranks.
 
 #include <exception>
 #include <stdexcept>
@@ -11,7 +11,9 @@
 
 namespace weavefront::parallel {
 
-/// Runs `action` on rank 0. @return what it threw, on all ranks; empty: nothing @note Collective
+/// Runs `action` on rank 0.
+/// @return message of its exception, on all ranks; empty: none
+/// @note Collective
 template <class Action>
 std::string failure_on_root(const Communicator& comm, Action&& action) {
     std::string failure;
@@ -23,8 +25,8 @@ std::string failure_on_root(const Communicator& comm, Action&& action) {
     return comm.broadcast(failure);
 }
 
-/// Runs `action` on rank 0, for whose outcome the others wait later on: they must not do so for ever.
-/// @throws std::runtime_error on all ranks when it throws on rank 0
+/// Runs `action` on rank 0. If it fails, no rank is left waiting for its result.
+/// @throws std::runtime_error on all ranks if `action` throws on rank 0
 /// @note Collective
 template <class Action>
 void on_root(const Communicator& comm, Action&& action) {

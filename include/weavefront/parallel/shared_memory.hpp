@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Memory that the ranks of one host share.
+/// Memory shared by the ranks of one host.
 
 #include <mpi.h>
 
@@ -9,28 +9,29 @@
 
 namespace weavefront::parallel {
 
-/// A piece of memory of each rank of a host, which all of them read and write. Its pages are reserved when it
-/// is made: none can be missing later. A rank's piece lies near to its processor.
+/// One piece of memory for each rank of a host; all ranks read and write all pieces. Pages are reserved at
+/// construction, so none can be missing later. A rank's piece lies near its processor.
 class SharedMemory {
   public:
     SharedMemory() = default;
     /// @param host  ranks of one host
-    /// @param bytes of a piece, the same on all ranks
-    /// @note Collective. Where the host has not got the memory, `is_had` is false on all ranks.
+    /// @param bytes size of a piece, the same on all ranks
+    /// @note Collective. If the host has too little memory, `is_had` is false on all ranks.
     SharedMemory(MPI_Comm host, std::size_t bytes);
     ~SharedMemory();
     SharedMemory(SharedMemory&& other) noexcept;
     SharedMemory& operator=(SharedMemory&& other) noexcept;
 
+    /// Whether the memory was obtained.
     [[nodiscard]] bool is_had() const { return !pieces_.empty(); }
-    /// Of a rank, page by page.
+    /// The piece of a rank, aligned to a page.
     [[nodiscard]] std::byte* piece(int rank) const { return pieces_[static_cast<std::size_t>(rank)]; }
 
   private:
     void release();
 
     std::size_t bytes_ = 0;
-    std::vector<std::byte*> pieces_;  ///< of the ranks of the host; none: the memory was not had
+    std::vector<std::byte*> pieces_;  ///< by rank of the host; empty: no memory
 };
 
 }  // namespace weavefront::parallel

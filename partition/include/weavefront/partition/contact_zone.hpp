@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Where plies are in contact, before anything is computed.
+/// A forecast of the zone in which plies are in contact.
 
 #include <cstdint>
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace weavefront::partition {
 
-/// The disc around the shot that grows with the transverse wave: within it plies are pressed together or near
-/// enough to be watched point by point. Its radius is that of the projectile plus 0.24 c^(2/3) V^(1/3) t,
-/// with c the speed of the fastest longitudinal wave in the yarns and V that of the projectile; without
-/// contact between plies it stays under the projectile.
+/// A disc around the shot that grows with the transverse wave. In it plies press on each other or are near
+/// enough to be evaluated in every step. Its radius is that of the projectile plus 0.24 c^(2/3) V^(1/3) t,
+/// where c is the fastest longitudinal wave speed of the yarns and V the speed of the projectile. Without
+/// contact between plies it does not grow.
 class ContactZone {
   public:
     explicit ContactZone(const scene::Scene& scene);
@@ -21,15 +21,14 @@ class ContactZone {
     /// @param time s @return m; below 0: no contact
     [[nodiscard]] double radius(double time) const { return start_ + speed_ * time; }
 
-    /// Share of the run up to scene.time.end during which a place is within the zone. @param distance from
-    /// the axis of the shot, m
-    /// @param decay what contact costs at the beginning of the run counts 1, at its end 1 - decay, in between
-    /// linearly
+    /// Share of the run, up to scene.time.end, during which a point is within the zone.
+    /// @param distance from the axis of the shot, m
+    /// @param decay weight of time: falls linearly from 1 at the start of the run to 1 - decay at its end
     [[nodiscard]] double contact_time_share(double distance, double decay = 0) const;
 
-    /// How much the projectile presses plies together at a place, during nearly all of the run: 1 in its
-    /// middle, falling to a half at the distance of its diameter, nothing beyond; nothing without contact
-    /// between plies. @param distance from the axis of the shot, m
+    /// Weight of the projectile's pressure on a stack of plies, during nearly all of the run: 1 on its axis,
+    /// falling to a half at the distance of its diameter, 0 beyond. It is 0 without contact between plies.
+    /// @param distance from the axis of the shot, m
     [[nodiscard]] double press_weight(double distance) const {
         return plies_ && distance < 2 * start_ ? 1 - distance / (4 * start_) : 0;
     }
@@ -37,7 +36,7 @@ class ContactZone {
     /// Distances of the centres of all columns from the axis of the shot, m.
     [[nodiscard]] std::vector<double> distances(const mesh::Panel& panel) const;
 
-    /// Whether elements away from the shot are watched, too.
+    /// Whether there is contact between plies, so elements away from the shot have a cost of contact, too.
     [[nodiscard]] bool plies() const { return plies_; }
 
   private:
@@ -50,7 +49,7 @@ class ContactZone {
 /// m/s.
 double wave_speed(const scene::Fabric& fabric);
 
-/// The largest of the fabrics of the target's plies.
+/// Largest wave speed of the fabrics of the target's plies, m/s.
 double largest_wave_speed(const scene::Scene& scene);
 
 }  // namespace weavefront::partition

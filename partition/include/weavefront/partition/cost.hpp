@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// What a column costs a step.
+/// Cost of the columns.
 
 #include <cstdint>
 #include <vector>
@@ -10,8 +10,9 @@
 
 namespace weavefront::partition {
 
-/// Cost of every column in nanoseconds a step, a mean over the run: its elements, and contact while the zone
-/// around the shot holds it. By the committed machine, so that the decomposition is the same on every one.
+/// Cost of every column in nanoseconds per step, as a mean over the run: its elements, and contact while the
+/// column is in the ContactZone. The constants are those of the committed machine, so the decomposition is
+/// the same on every machine.
 std::vector<std::int32_t> column_costs(const mesh::Panel& panel, const scene::Scene& scene);
 
 }  // namespace weavefront::partition

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Which nodes a rank shares with which other ranks.
+/// Nodes that a rank shares with other ranks.
 
 #include <cstdint>
 #include <vector>
@@ -11,18 +11,19 @@
 
 namespace weavefront::partition {
 
-/// Nodes shared with one other rank, ascending global order on both sides.
+/// Nodes shared with one other rank, in ascending global order on both ranks.
 struct Neighbour {
     int rank = 0;
     std::vector<std::int32_t> nodes;  ///< local indices
 };
 
+/// Neighbours of a rank and ownership of its nodes.
 struct HaloPlan {
     std::vector<Neighbour> neighbours;  ///< ascending ranks
-    std::vector<bool> owned;            ///< of each local node: true on the lowest of the ranks that hold it
+    std::vector<bool> owned;            ///< by local node: true on the lowest rank that holds it
 };
 
-/// The halo of one part, found from the decomposition alone: no communication.
+/// The halo of one part. It follows from the decomposition without communication.
 HaloPlan make_halo_plan(const mesh::Panel& panel, const Decomposition& decomposition, const mesh::Part& part,
                         int rank);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// What every part of a decomposition holds and exchanges, without building it.
+/// Sizes of the parts of a decomposition and of their exchange, without building them.
 
 #include <cstdint>
 #include <vector>
@@ -10,23 +10,22 @@
 
 namespace weavefront::partition {
 
-/// Messages and bytes of one part a step, and what it computes.
+/// Columns and nodes of one part, and its messages per step.
 struct PartSizes {
-    std::int64_t columns = 0, nodes = 0;  ///< nodes of all plies, shared ones included
+    std::int64_t columns = 0, nodes = 0;  ///< nodes of all plies, including shared ones
     std::int64_t neighbours = 0;          ///< parts that share nodes
     std::int64_t messages = 0;            ///< sent
     std::int64_t bytes_sent = 0, bytes_received = 0;
-    std::int64_t ghosts = 0;  ///< nodes of other parts near enough for contact, all plies
+    std::int64_t ghosts = 0;  ///< nodes of other parts within reach of contact, all plies
 };
 
 /// Bytes of a node's force sum.
 inline constexpr std::int64_t force_bytes = 24;
 
-/// The exchange of each part as the solver links it at the start: force sums between all parts that hold a
-/// node or, where plies touch, have it as a ghost. Counted are those that always travel, from parts that hold
-/// the node: what is pressed on ghosts is little.
-/// @param ghost_reach distance from a part's columns up to which those of others are its ghosts, along x and
-/// along y, m; 0: no ghosts
+/// Sizes of each part as the solver builds it at the start. Force sums are exchanged between all parts that
+/// hold a node or have it as a ghost. Only the dense values count, see parallel::SendList: the forces on
+/// ghosts are few.
+/// @param ghost_reach distance along x and y up to which columns of other parts are ghosts, m; 0: no ghosts
 std::vector<PartSizes> halo_sizes(const mesh::Panel& panel, const Decomposition& decomposition,
                                   double ghost_reach);
 

@@ -60,7 +60,7 @@ Plies random_plies(std::mt19937_64& random, double size) {
     return plies;
 }
 
-TEST(Candidates, AreThoseThatTryingAllFinds) {
+TEST(Candidates, AreAllFacetsWithinReach) {
     std::mt19937_64 random(9);
     for (int n = 0; n < 30; ++n) {
         const auto plies = random_plies(random, 1);
@@ -80,7 +80,7 @@ TEST(Candidates, AreThoseThatTryingAllFinds) {
 
 // The second ply has lost its first facet: the first looks past it from all facets near its rim and from
 // where the ply has gone, wherever the lost facet flies.
-TEST(Candidates, LookPastRimsAndWhereAPlyIsGone) {
+TEST(Candidates, IncludeThePlyBehindAtFreeEdgesAndHoles) {
     Plies plies;
     for (int ply = 0; ply < 3; ++ply)
         plies.add(6, {}, [&](double u, double v) { return Vec3(6 * u, 6 * v, ply); });

@@ -46,7 +46,7 @@ double distance(const Corners& one, const Corners& other) {
         .min_distance(other);
 }
 
-TEST(ContactPoints, GiveABoundFromBelow) {
+TEST(ContactPoints, MinDistanceIsALowerBound) {
     std::mt19937_64 random(3);
     int found = 0;
     for (int n = 0; n < 3000; ++n) {
@@ -60,7 +60,7 @@ TEST(ContactPoints, GiveABoundFromBelow) {
     EXPECT_GT(found, 2000);
 }
 
-TEST(ContactPoints, KnowHowFarAFlatFacetIs) {
+TEST(ContactPoints, MinDistanceIsExactForAFlatFacet) {
     const Corners flat{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
     const Eigen::AngleAxisd turn(0.4, Vec3(1, 2, 0.5).normalized());
     const double margin = 0.5 / points;  // of the points to the edge
@@ -77,7 +77,7 @@ TEST(ContactPoints, KnowHowFarAFlatFacetIs) {
 }
 
 // Facing facets of plies that bend together.
-TEST(ContactPoints, KnowHowFarAFacetIsThatIsWarpedAlike) {
+TEST(ContactPoints, MinDistanceIsCloseForAFacetWarpedAlike) {
     constexpr double apart = 0.1;
     for (const double warp : {0.02, 0.1}) {
         const Corners one{Vec3(0, 0, warp), Vec3(1, 0, -warp), Vec3(1, 1, warp), Vec3(0, 1, -warp)};
@@ -88,7 +88,7 @@ TEST(ContactPoints, KnowHowFarAFacetIsThatIsWarpedAlike) {
     }
 }
 
-TEST(ContactPoints, KnowNothingOfAFacetWithoutANormal) {
+TEST(ContactPoints, MinDistanceOfAFacetWithoutNormalIsThatOfItsBox) {
     std::mt19937_64 random(4);
     EXPECT_EQ(distance(facet_at(random, Vec3::Zero()),
                        {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0)}),

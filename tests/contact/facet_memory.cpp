@@ -7,7 +7,7 @@
 namespace weavefront::test {
 namespace {
 
-TEST(FacetMemory, IsEachFacetsOwnAndFreshAfterItWasForgotten) {
+TEST(FacetMemory, IsPerFacetAndNewAfterForget) {
     contact::FacetMemory<int> memory(10);
     EXPECT_EQ(memory.find(4), nullptr);
     memory.take(4) = 40;

@@ -15,7 +15,7 @@ std::vector<std::int32_t> all_of(const contact::FacetRanges& runs) {
     return facets;
 }
 
-TEST(FacetLists, GiveBackWhatWasAddedInItsOrder) {
+TEST(FacetLists, ReturnFacetsInTheOrderAdded) {
     std::vector<std::int32_t> many(1000);
     std::iota(many.begin(), many.end(), 7);
     // The second list goes on where the first ends; the last are longer than a run can be, out of order, and

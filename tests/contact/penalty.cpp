@@ -81,7 +81,7 @@ TEST(PenaltyLaw, IsNeverTensile) {
     }
 }
 
-TEST(PenaltyLaw, IgnoresAnOverlapThatMotionDidNotBringAbout) {
+TEST(PenaltyLaw, IgnoresAnOverlapThatMotionDidNotCause) {
     const auto law = plain();
     Penetration point;
     double g = G;
@@ -122,7 +122,7 @@ TEST(PenaltyLaw, SlidingChangesThePressureAlongTheLoadingSlopeWhateverTheOpening
     EXPECT_NEAR(slide(0.7 * G).pressure, 0.2 * k * G, 1e-9 * k * G);
 }
 
-TEST(PenaltyLaw, TakesBySlidingOnlyTheShareThatItMay) {
+TEST(PenaltyLaw, SlidingTakesOnlyTheAllowedShare) {
     const auto law = plain();
     for (const double share : {0.0, 0.25, 1.0}) {
         Penetration point;
@@ -180,7 +180,7 @@ struct Overlap {
     }
 };
 
-TEST(PenaltyLaw, HealsALateOverlapGentlyFromWhatTheFacetHasDissipated) {
+TEST(PenaltyLaw, RecoversAnIgnoredOverlapFromTheDissipatedBudget) {
     const double mass = 0.1, omega = std::sqrt(u * k / mass), period = 2 * std::numbers::pi / omega;
     const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = 0}, mass);
     const double given_at_once = k * G * G / 2;
@@ -203,7 +203,7 @@ TEST(PenaltyLaw, HealsALateOverlapGentlyFromWhatTheFacetHasDissipated) {
     EXPECT_EQ(kept.run(elastic, 1000 * period, 0.05 * period), 0);
 }
 
-TEST(PenaltyLaw, TakesMoreThanItGivesWhateverTheGeometryDoes) {
+TEST(PenaltyLaw, CreatesNoEnergyWhateverTheGeometry) {
     const double mass = 0.1, omega = std::sqrt(u * k / mass), dt = 0.01 / omega;
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> one(-1, 1);
@@ -316,7 +316,7 @@ TEST(PenaltyLaw, PointsOfABatchAdvanceLikeSingleOnes) {
 }
 
 // What the points of a facet that is seen mirrored or turned do: the same, in another order.
-TEST(PenaltyLaw, PointsOfAFacetHealAlikeInAnyOrder) {
+TEST(PenaltyLaw, RecoveryDoesNotDependOnTheOrderOfPoints) {
     const PenaltyLaw law({.stiffness = k, .unloading = u, .damping = 0}, 0.1);
     const auto heal = [&](bool backwards) {
         contact::PenetrationLanes points;

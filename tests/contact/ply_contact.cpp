@@ -83,7 +83,7 @@ TEST(PlyContact, BumpyPliesKeepMomentumAndAngularMomentum) {
     }
 }
 
-TEST(PlyContact, ThroughAHoleThePlyBehindIsMet) {
+TEST(PlyContact, MeetsThePlyBehindThroughAHole) {
     Plies plies;
     plies.add(8, ply_at(0), flat(side, 0));
     plies.add(8, ply_at(gap), flat(side, gap));
@@ -99,7 +99,7 @@ TEST(PlyContact, ThroughAHoleThePlyBehindIsMet) {
 
 // The ply between has flown ahead; it lets see what is behind near the rim of its hole only, not wherever a
 // search with a wide reach has found a rim.
-TEST(PlyContact, APlyHidesThoseBehindItButAtItsRims) {
+TEST(PlyContact, APlyHidesThePliesBehindItExceptAtItsFreeEdges) {
     Plies plies;
     plies.add(8, ply_at(0), flat(side, 0));
     plies.add(8, ply_at(gap), flat(side, 5e-3));
@@ -167,7 +167,7 @@ void sort(std::vector<contact::PairForce>& forces) {
 
 // Facets wait until others may have come near. A contact made anew in every step, with the memory of the
 // last, has waited for nothing.
-TEST(PlyContact, WaitingChangesNoBit) {
+TEST(PlyContact, CullingChangesNoBit) {
     constexpr double dt = 1e-7, skin = 1.5e-3;
     const scene::ContactLaw law{.stiffness = k, .unloading = 10, .damping = 0.2};
     std::mt19937_64 random(17);
@@ -209,7 +209,7 @@ TEST(PlyContact, WaitingChangesNoBit) {
     }
 }
 
-TEST(PlyContact, ForgetsWhatItTouchedWhenThatIsFarAwayAtOnce) {
+TEST(PlyContact, ForgetsContactWhenPliesPartInOneStep) {
     Plies plies;
     plies.add(4, ply_at(0), flat(side, 0));
     plies.add(4, ply_at(gap), flat(side, gap));

@@ -60,7 +60,7 @@ TEST(Ray, FindsTheKnownPointOfAWarpedFacet) {
     }
 }
 
-TEST(Ray, MissesWhatLiesBeside) {
+TEST(Ray, MissesFacetsBesideIt) {
     std::mt19937_64 random(6);
     for (int n = 0; n < 2000; ++n) {
         const auto facet = warped_facet(random, 0.1);
@@ -77,7 +77,7 @@ TEST(Ray, MissesWhatLiesBeside) {
     }
 }
 
-TEST(Ray, NoLineSlipsBetweenFacets) {
+TEST(Ray, NoRayPassesBetweenFacets) {
     std::mt19937_64 random(7);
     constexpr int n = 20;
     Plies plies;

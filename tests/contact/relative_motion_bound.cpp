@@ -20,7 +20,7 @@ struct TwoPlies : Plies {
     contact::Candidates candidates;
 };
 
-TEST(RelativeMotionBound, BoundsHowMuchDistancesOfNodesChange) {
+TEST(RelativeMotionBound, BoundsTheChangeOfNodeDistances) {
     TwoPlies plies;
     contact::RelativeMotionBound approach(plies.surface, plies.x);
     approach.rebuild(plies.surface, plies.candidates, plies.x);
@@ -45,7 +45,7 @@ TEST(RelativeMotionBound, BoundsHowMuchDistancesOfNodesChange) {
                     }
 }
 
-TEST(RelativeMotionBound, DoesNotCountWhatMovesTogether) {
+TEST(RelativeMotionBound, DoesNotCountCommonMotion) {
     TwoPlies plies;
     contact::RelativeMotionBound approach(plies.surface, plies.x);
     approach.rebuild(plies.surface, plies.candidates, plies.x);

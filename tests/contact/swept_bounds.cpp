@@ -9,7 +9,7 @@ namespace {
 
 using contact::SweptBounds;
 
-TEST(SweptBounds, SeeOneNodeThatLeavesAcrossButNotAlong) {
+TEST(SweptBounds, SeeANodeThatLeavesAlongXOrYButNotAlongZ) {
     for (std::size_t count = 1; count < 20; ++count)
         for (std::size_t n = 0; n < count; ++n) {
             const std::vector<Vec3> start(count, Vec3(1, 2, 3));
@@ -25,7 +25,7 @@ TEST(SweptBounds, SeeOneNodeThatLeavesAcrossButNotAlong) {
         }
 }
 
-TEST(SweptBounds, ReachAsFarAsANodeFliesAndNoFarther) {
+TEST(SweptBounds, CoverTheFlightOfANodeAndNoMore) {
     const std::vector<Vec3> start(3, Vec3(1, 2, 3)), v{{0, 0, 0}, {10, -20, 100}, {10, -20, 100}};
     const SweptBounds expected(start, v, 0.1);
     for (const std::size_t n : {1U, 2U}) {  // of two nodes looked at together, and alone
@@ -43,7 +43,7 @@ TEST(SweptBounds, ReachAsFarAsANodeFliesAndNoFarther) {
     }
 }
 
-TEST(SweptBounds, OfAFacetHoldAllItsNodes) {
+TEST(SweptBounds, OfAFacetContainThoseOfItsNodes) {
     const std::vector<Vec3> x{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
         v{{0, 0, 0}, {2, 0, 0}, {0, 0, 9}, {0, -3, 0}};
     const auto footprint = SweptBounds(x, v, 1).of(contact::Facet(0, {0, 1, 2, 3}, 0));
@@ -53,7 +53,7 @@ TEST(SweptBounds, OfAFacetHoldAllItsNodes) {
     EXPECT_EQ(footprint.y_high, 1);
 }
 
-TEST(SweptBounds, DoNotSeeWhatWasLetGo) {
+TEST(SweptBounds, DoNotCountIgnoredNodes) {
     const std::vector<Vec3> start(3, Vec3(1, 2, 3));
     SweptBounds expected(start);
     expected.ignore(1);

@@ -59,7 +59,7 @@ TEST(Panel, IsFinestUnderTheProjectile) {
     EXPECT_TRUE(finest(panel.y, -0.009));
 }
 
-TEST(Panel, EdgesHoldWhatTheyAreAskedTo) {
+TEST(Panel, EdgesHoldTheirDirections) {
     auto scene = small_target();
     scene.target->edges = {scene::Edge::sliding, scene::Edge::fixed};
     const auto panel = make_panel(scene);

@@ -30,7 +30,7 @@ TEST(Communicator, Reduces) {
     EXPECT_EQ(least, (std::vector<std::int64_t>{0, 1 - n}));
 }
 
-TEST(Communicator, AgreesOnWhatAnyRankSays) {
+TEST(Communicator, AnyIsTrueOnAllRanksIfTrueOnOne) {
     const Communicator comm(MPI_COMM_WORLD);
     EXPECT_FALSE(comm.any(false));
     for (int r = 0; r < comm.size(); ++r) EXPECT_TRUE(comm.any(r == comm.rank()));
@@ -47,7 +47,7 @@ TEST(Communicator, BroadcastsFromRankZero) {
     EXPECT_EQ(values, (std::vector<std::int32_t>{3, -1, 4}));
 }
 
-TEST(OnRoot, WhatFailsThereFailsOnAllRanks) {
+TEST(OnRoot, AFailureOnRankZeroIsThrownOnAllRanks) {
     const Communicator comm(MPI_COMM_WORLD);
     int calls = 0;
     parallel::on_root(comm, [&] { ++calls; });
@@ -57,7 +57,7 @@ TEST(OnRoot, WhatFailsThereFailsOnAllRanks) {
     EXPECT_THROW(parallel::on_root(comm, fail), std::runtime_error);
 }
 
-TEST(Communicator, NamesWhatMpiRefuses) {
+TEST(Communicator, ReportsTheMessageOfAnMpiError) {
     EXPECT_NO_THROW(parallel::check(MPI_SUCCESS));
     EXPECT_THROW(parallel::check(MPI_ERR_RANK), std::runtime_error);
 }

@@ -31,7 +31,7 @@ std::vector<Neighbour> row(const Communicator& comm) {
 
 Triple value(int rank, int node) { return {10 * rank + node, -rank, 1}; }
 
-TEST(Exchange, SumsWhatTheOthersHeldBefore) {
+TEST(Exchange, AddsTheValuesOfOtherRanksFromBeforeTheCall) {
     const Communicator comm(MPI_COMM_WORLD);
     Exchange<Triple> exchange(row(comm));
     for (int repeat = 0; repeat < 3; ++repeat) {
@@ -104,7 +104,7 @@ std::vector<Neighbour> with_ghosts(const Communicator& comm) {
     return neighbours;
 }
 
-TEST(Exchange, SumsAlsoWhatTravelsOnlyWhereItIsNotZero) {
+TEST(Exchange, SumsSparseValues) {
     const Communicator comm(MPI_COMM_WORLD);
     parallel::SharedMemoryExchange shared_memory(comm);
     Exchange<Triple> by_messages(with_ghosts(comm)), in_memory(with_ghosts(comm));
@@ -134,7 +134,7 @@ TEST(Exchange, SumsAlsoWhatTravelsOnlyWhereItIsNotZero) {
 }
 
 // Small and large, so that room is made anew and used again; many turns, with ranks that come late.
-TEST(Exchange, SumsByMailWhatItSumsByMessages) {
+TEST(Exchange, SumsAreTheSameThroughSharedMemoryAndMessages) {
     const Communicator comm(MPI_COMM_WORLD);
     parallel::SharedMemoryExchange shared_memory(comm);
     for (const std::int32_t size : {1, 1000, 3, 2000}) {
@@ -167,7 +167,7 @@ TEST(Exchange, SumsByMailWhatItSumsByMessages) {
 }
 
 // The last rank cannot have its memory: all send messages, which say the same.
-TEST(Exchange, SumsByMessagesWhereTheHostLacksMemory) {
+TEST(Exchange, FallsBackToMessagesWithoutSharedMemory) {
     const Communicator comm(MPI_COMM_WORLD);
     parallel::SharedMemoryExchange shared_memory(comm);
     rlimit before{};

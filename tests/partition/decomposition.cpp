@@ -73,7 +73,7 @@ TEST(Decomposition, BalancesWeightsWhoseSumPassesTheRangeOfMetis) {
     EXPECT_LT(partition::imbalance(decompose(panel, weights, 16), weights), 1.05);
 }
 
-TEST(Decomposition, ItsQualityIsCountedByHand) {
+TEST(Decomposition, ImbalanceAndCutEdgesAreThoseCountedByHand) {
     mesh::Panel panel;
     panel.x = {0, 1, 2, 3};
     panel.y = {0, 1, 2};

@@ -6,8 +6,9 @@
 #SBATCH --cpus-per-task=1        # no threads,
 #SBATCH --hint=nomultithread     # and no second rank on a core
 #SBATCH --mem-per-cpu=1G         # 0.6 kB an element; libraries and METIS need little besides
-#SBATCH --time=02:00:00          # there is no restart: ask for much more than the model says (below), until you have seen a run
-#SBATCH --signal=USR1@120        # two minutes before: the run writes its last row, frame and summary
+#SBATCH --time=02:00:00          # the model says less (below); a run that needs more goes on in the next job
+#SBATCH --signal=USR1@120        # two minutes before: the run writes a checkpoint and leaves
+#SBATCH --requeue                # after a failed node, too
 
 # The program must have been built for the processors of these nodes: -DWEAVEFRONT_ARCH=native there, or x86-64-v4.
 program=${WEAVEFRONT:-build/release/src/app/weavefront}
@@ -17,4 +18,8 @@ program=${WEAVEFRONT:-build/release/src/app/weavefront}
 #   $program partition examples/large_panel/scene.yaml --ranks 64,128,256,512 --machine machine.json
 
 # Results go to the parallel file system: 31 frames of about 0.33 GB.
-srun "$program" run examples/large_panel/scene.yaml --output "${SCRATCH:-runs}/large_panel"
+# The same job, submitted again, goes on from the last checkpoint.
+output=${SCRATCH:-runs}/large_panel
+restart=()
+if [ -e "$output/checkpoint.h5" ] || [ -e "$output/checkpoint.previous.h5" ]; then restart=(--restart auto); fi
+srun "$program" run examples/large_panel/scene.yaml --output "$output" --checkpoint-every "10 min" "${restart[@]}"

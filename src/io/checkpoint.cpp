@@ -40,7 +40,7 @@ struct TableBlocks {
     std::vector<ColumnBlock> columns;
 };
 
-TableBlocks blocks_of(const std::string& name, const state::Table& table, std::int64_t total,
+TableBlocks blocks_of(const std::string& name, state::Table& table, std::int64_t total,
                       const parallel::Communicator& comm) {
     const Blocks blocks{total, items_of_grain, comm.size()};
     return {name, blocks, column_blocks(table, blocks, comm)};
@@ -187,7 +187,7 @@ std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
     return path.parent_path() / (path.stem().string() + ".previous" + path.extension().string());
 }
 
-void write_checkpoint(const std::filesystem::path& path, const CheckpointContent& content,
+void write_checkpoint(const std::filesystem::path& path, CheckpointContent content,
                       const parallel::Communicator& comm) {
     const QuietHdf5 quiet;
     const auto unfinished = temporary_name(path).string();

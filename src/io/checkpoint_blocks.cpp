@@ -9,6 +9,7 @@
 #include <numeric>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "weavefront/parallel/all_to_all.hpp"
 
@@ -66,14 +67,14 @@ std::uint64_t checksum_of(const RaggedValues& block, const Blocks& blocks, std::
     return XXH3_64bits(checksums.data(), checksums.size() * sizeof(std::int64_t));
 }
 
-std::vector<ColumnBlock> column_blocks(const state::Table& table, const Blocks& blocks,
+std::vector<ColumnBlock> column_blocks(state::Table& table, const Blocks& blocks,
                                        const parallel::Communicator& comm) {
     const BlockExchange exchange(comm, blocks, table.ids);
     std::vector<ColumnBlock> columns;
     for (const auto& name : names_of_all(table, comm)) {
         RaggedValues owned{std::vector<std::int32_t>(table.ids.size(), 0), {}};
         const auto found = std::ranges::find(table.columns, name, &state::Column::name);
-        if (found != table.columns.end()) owned = {found->counts, found->values};
+        if (found != table.columns.end()) owned = {std::move(found->counts), std::move(found->values)};
         auto& column = columns.emplace_back();
         column.name = name;
         column.block = exchange.to_block(owned);

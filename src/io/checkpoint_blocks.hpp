@@ -29,8 +29,11 @@ struct ColumnBlock {
 std::uint64_t checksum_of(const RaggedValues& block, const Blocks& blocks, std::int64_t first,
                           const parallel::Communicator& comm);
 
-/// All columns that any rank has, by name. @param table of this rank, each item on one rank @note Collective
-std::vector<ColumnBlock> column_blocks(const state::Table& table, const Blocks& blocks,
+/// All columns that any rank has, by name.
+/// @param table of this rank, each item on one rank; its columns are used up one after the other, for their
+/// memory
+/// @note Collective
+std::vector<ColumnBlock> column_blocks(state::Table& table, const Blocks& blocks,
                                        const parallel::Communicator& comm);
 
 /// Values of some items from the blocks of all ranks. @param ids global, ascending @note Collective

@@ -45,7 +45,8 @@ Scene read_parts(Section& root, Need need) {
     const bool other_fault = root.has("contact") && !root.has_map("contact");
     root.refuse_if(scene.projectile && !scene.contact.projectile && !other_fault, "contact",
                    "a map with the key projectile, since there is a projectile");
-    root.unavailable({"checkpoint", "restart", "subcycling"});
+    root.options_of_run({"checkpoint", "restart"});
+    root.unavailable({"subcycling"});
     return scene;
 }
 

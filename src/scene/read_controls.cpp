@@ -36,7 +36,7 @@ Output read_output(Section& section, double end) {
     section.refuse_if(output.interval > 0 && end / output.interval > most_frames, "interval",
                       "0 or at least a millionth of the run");
     section.refuse_if(output.history > end, "history", "at most the end of the run");
-    section.unavailable({"checkpoint"});
+    section.options_of_run({"checkpoint"});
     return output;
 }
 

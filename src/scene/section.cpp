@@ -195,13 +195,21 @@ std::vector<std::string> Section::keys() const {
     return keys;
 }
 
-void Section::unavailable(std::initializer_list<std::string_view> later) {
-    for (const std::string_view key : later) {
+void Section::unavailable(std::initializer_list<std::string_view> later) { refuse_all(later, later_version); }
+
+void Section::refuse_all(std::initializer_list<std::string_view> keys, std::string_view reason) {
+    for (const std::string_view key : keys) {
         const Entry* found = find(*map_, key);
         if (found == nullptr) continue;
         known_.emplace_back(key);
-        context_.findings.add(found->where, inside(key), later_version);
+        context_.findings.add(found->where, inside(key), std::string(reason));
     }
+}
+
+void Section::options_of_run(std::initializer_list<std::string_view> keys) {
+    refuse_all(
+        keys,
+        "no key of a scene: options of weavefront run are --checkpoint-every, --walltime and --restart");
 }
 
 void Section::refuse_if(bool refused, std::string_view key, std::string_view allowed, std::string_view hint) {

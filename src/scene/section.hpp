@@ -143,6 +143,8 @@ class Section {
 
     /// Keys that a later version will serve: refused as such.
     void unavailable(std::initializer_list<std::string_view> later);
+    /// Keys that name options of the command `run`: refused as such.
+    void options_of_run(std::initializer_list<std::string_view> keys);
 
     /// Notes a finding about the value of a key (where the section stands when the key is absent) if
     /// `refused`.
@@ -173,6 +175,7 @@ class Section {
     std::vector<std::string> known_;
 
     const Entry* entry(std::string_view key);
+    void refuse_all(std::initializer_list<std::string_view> keys, std::string_view reason);
     [[nodiscard]] std::string inside(std::string_view key) const;
     double read_quantity(const Value& value, const std::string& path, const Dimension& dimension,
                          const Range& range);

@@ -10,6 +10,10 @@ from pathlib import Path
 from perforation import PERFORATION, Program, differences, errors_of, processes_of, start, summary, whole_run
 
 
+# Some seconds, so that it does not end before it is asked to leave.
+LONG = [*PERFORATION, "target.mesh={center: 0.5 mm, edge: 0.5 mm}", "time.end=45 us"]
+
+
 def wait_for(path, process):
     while not path.exists():
         assert process.poll() is None, process.communicate()
@@ -20,7 +24,7 @@ def leave(program, output, ranks, request, options=(), environment=None):
     """Starts a run, asks it to leave by `request` and returns the reason that it gives."""
     if environment:
         os.environ.update(environment)
-    process = start(program, output, PERFORATION, ranks, options)
+    process = start(program, output, LONG, ranks, options)
     for name in environment or ():
         del os.environ[name]
     wait_for(program.folder / output / "results.vtkhdf", process)
@@ -38,7 +42,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         program = Program(weavefront, mpiexec, folder)
-        whole = whole_run(program)
+        whole = whole_run(program, overrides=LONG)
         requests = {
             "a signal to the last rank": (3, lambda process: os.kill(processes_of(process)[-1], signal.SIGTERM), "SIGTERM received"),
             "a signal that mpirun passes on": (2, lambda process: process.send_signal(signal.SIGUSR2), "SIGUSR2 received"),
@@ -48,7 +52,7 @@ def main():
         for output, (ranks, request, reason) in requests.items():
             assert leave(program, output, ranks, request) == reason, output
             assert not (folder / output / "stop").exists()
-            program.run(output, PERFORATION, 4 - ranks, ["--restart", "auto"])
+            program.run(output, LONG, 4 - ranks, ["--restart", "auto"])
             assert differences(whole, folder / output) == [], output
 
         # The end of a Slurm job comes near.
@@ -56,7 +60,7 @@ def main():
         assert leave(program, "slurm", 1, lambda _: None, environment=in_slurm) == "the Slurm job is about to end"
 
         # By the clock, without leaving.
-        program.run("clock", PERFORATION, 2, ["--checkpoint-every", "0.2 s"])
+        program.run("clock", LONG, 2, ["--checkpoint-every", "0.2 s"])
         assert differences(whole, folder / "clock") == []
         assert (folder / "clock/run.log").read_text().count("  checkpoint    checkpoint.h5 at t = ") >= 2
         assert (folder / "clock/checkpoint.previous.h5").exists()

@@ -142,9 +142,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"safety: 0.9", "subcycling: true",
              "s.yaml:25:21: time.subcycling: not available in this version"},
         Case{"interval: 5 us", "interval: 0, checkpoint: 1 us",
-             "s.yaml:26:23: output.checkpoint: not available in this version"},
-        Case{"time:", "checkpoint: {}\ntime:", "s.yaml:25:1: checkpoint: not available in this version"},
-        Case{"time:", "restart: a.h5\ntime:", "s.yaml:25:1: restart: not available in this version"}));
+             "s.yaml:26:23: output.checkpoint: no key of a scene: options of weavefront run are "
+             "--checkpoint-every, --walltime and --restart"},
+        Case{"time:", "checkpoint: {}\ntime:",
+             "s.yaml:25:1: checkpoint: no key of a scene: options of weavefront "
+             "run are --checkpoint-every, --walltime and --restart"},
+        Case{"time:", "restart: a.h5\ntime:", "s.yaml:25:1: restart: no key of a scene"}));
 
 TEST(Refusals, AreReportedAtOnceInTheOrderOfTheFile) {
     std::string text = example_with("safety: 0.9", "safty: 0.9");

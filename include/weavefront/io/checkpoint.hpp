@@ -28,7 +28,7 @@ struct CheckpointContent {
 /// disk and was read back. The one before is kept under `previous_checkpoint`.
 /// @throws FileError on all ranks; checkpoints of before stay as they are
 /// @note Collective
-void write_checkpoint(const std::filesystem::path& path, const CheckpointContent& content,
+void write_checkpoint(const std::filesystem::path& path, CheckpointContent content,
                       const parallel::Communicator& comm);
 
 /// Where the checkpoint before the newest one is kept.

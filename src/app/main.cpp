@@ -59,6 +59,8 @@ int main(int argc, char** argv) {
     CLI::App app("Ballistic impact on woven-fabric armour", "weavefront");
     add_commands(app);
     const std::vector<std::string> arguments(argv + 1, argv + argc);
+    // MPI takes a part of a second to start: a signal is not lost meanwhile.
+    if (!arguments.empty() && arguments.front() == "run") app::note_signals();
     int status = 0;
     const auto outcome = app::outcome_of([&] {
         if (app::launched_processes() > 1)

@@ -13,6 +13,8 @@ from pathlib import Path
 
 from perforation import PERFORATION, Program, differences, processes_of, start, whole_run
 
+SIGNALS = (signal.SIGTERM, signal.SIGUSR1, signal.SIGUSR2)
+
 # Some 200,000 steps of few elements that touch and let go: a ball bounces on a net.
 BOUNCING = ("target.mesh={center: 5 mm, edge: 5 mm}", "time.end=24 ms", "output.interval=2 ms", "output.history=20 us", "projectile.velocity=[0, 0, 3 m/s]")
 
@@ -35,12 +37,13 @@ def run_in_pieces(program, output, overrides, random_number):
         time.sleep(random_number.uniform(0.3, 1.5))
         pids = processes_of(process)
         if process.poll() is None and pids:
-            os.kill(random_number.choice(pids), random_number.choice((signal.SIGTERM, signal.SIGUSR1, signal.SIGUSR2)))
+            os.kill(random_number.choice(pids), random_number.choice(SIGNALS))
         text = process.communicate(timeout=300)[1]
         pieces += 1
         if process.returncode == 0:
             return pieces
-        assert process.returncode in (4, 143), (process.returncode, text)  # before MPI has started, nobody notes a signal
+        # A signal that comes before the program has begun ends the process.
+        assert process.returncode in (4, *(128 + number for number in SIGNALS)), (process.returncode, text)
         options = ["--restart", "auto"] if (program.folder / output / "checkpoint.h5").exists() else []
 
 

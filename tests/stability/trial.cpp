@@ -64,22 +64,22 @@ class GuardedRun {
     void look() {
         const auto row = simulation_.record_balance();
         if (simulation_.steps() == 0) initial_ = row.total();
-        turnover_ = std::max({turnover_, row.total() - row.kinetic_projectile, 0x1p-20 * initial_});
-        const double error = (row.total() - initial_) / turnover_;
+        transferred_ = std::max({transferred_, row.total() - row.kinetic_projectile, 0x1p-20 * initial_});
+        const double error = (row.total() - initial_) / transferred_;
         see({row.time, row.projectile.z(), row.projectile_velocity.z(), row.contact_force.z(),
              row.kinetic_fabric, row.kinetic_projectile, row.internal, row.hourglass, row.contact,
              row.friction, row.damping, row.eroded, row.max_displacement, row.time_step, error});
         result_.time = row.time;
         result_.energy_error = std::max(result_.energy_error, std::abs(error));
-        result_.hourglass_share = std::max(result_.hourglass_share, row.hourglass / turnover_);
+        result_.hourglass_share = std::max(result_.hourglass_share, row.hourglass / transferred_);
         result_.given =
-            std::max(result_.given, -std::min({row.internal, row.friction, row.contact}) / turnover_);
-        result_.given_by_single = std::max(result_.given_by_single, given_by_elements() / turnover_);
+            std::max(result_.given, -std::min({row.internal, row.friction, row.contact}) / transferred_);
+        result_.given_by_single = std::max(result_.given_by_single, given_by_elements() / transferred_);
         result_.broken_yarns = row.broken_yarns;
         result_.eroded_elements = row.eroded_elements;
         // As an ordinary run does at each row, but over what the fabric was given at the start, too.
         auto guarded = row;
-        guarded.transferred_energy = turnover_;
+        guarded.transferred_energy = transferred_;
         guarded.closure_error = error;
         solver::require_balance(guarded, scene_.limits.energy_error, simulation_.steps());
     }
@@ -122,7 +122,7 @@ class GuardedRun {
     const scene::Scene& scene_;
     solver::Simulation& simulation_;
     Result& result_;
-    double initial_ = 0, turnover_ = 0;
+    double initial_ = 0, transferred_ = 0;
     Fingerprint fingerprint_;
 };
 

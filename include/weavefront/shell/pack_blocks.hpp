@@ -18,7 +18,7 @@ class PackBlocks {
     PackBlocks(std::int32_t packs, int fields, double idle)
         : block_(static_cast<std::size_t>(fields) * fabric::pack_width),
           idle_(idle),
-          slots_(fields > 0 ? packs : 0, -1) {}
+          slots_(static_cast<std::size_t>(fields > 0 ? packs : 0), -1) {}
 
     /// Field after field of a pack, 64-byte aligned; null: all idle.
     [[nodiscard]] const double* find(std::int32_t pack) const {

@@ -1,7 +1,7 @@
 """Runs go on and on: soak.py WEAVEFRONT MPIEXEC [MINUTES [SEED]], 30 minutes by default.
 
 Each run has output settings by chance. It is left and restarted by chance, on random numbers of ranks, with and without rebalancing, and is compared with
-an uninterrupted run. Beside it, a small run of 200,000 steps must not take more and more memory."""
+an uninterrupted run. Before, a small run of 500,000 steps must not take more and more memory."""
 
 import os
 import random
@@ -11,11 +11,11 @@ import tempfile
 import time
 from pathlib import Path
 
-from perforation import PERFORATION, Program, differences, processes_of, start, whole_run
+from perforation import PERFORATION, Program, differences, processes_of, start, summary, whole_run
 
 SIGNALS = (signal.SIGTERM, signal.SIGUSR1, signal.SIGUSR2)
 
-# Some 200,000 steps of few elements that touch and let go: a ball bounces on a net.
+# Some 500,000 steps of few elements that touch and let go: a ball bounces on a net.
 BOUNCING = ("target.mesh={center: 5 mm, edge: 5 mm}", "time.end=24 ms", "output.interval=2 ms", "output.history=20 us", "projectile.velocity=[0, 0, 3 m/s]")
 
 
@@ -23,6 +23,22 @@ def resident(pid):
     """Memory of a process, bytes."""
     pages = int(Path(f"/proc/{pid}/statm").read_text().split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE")
+
+
+def memory_of_a_long_run(program):
+    """Memory while it computes, bytes, from its second quarter on."""
+    process = start(program, "bouncing", BOUNCING, 1, [])
+    memory = []
+    while process.poll() is None:
+        try:
+            memory.append(resident(process.pid))
+        except (FileNotFoundError, IndexError):
+            break
+        time.sleep(0.05)
+    process.communicate(timeout=60)
+    found = summary(program.folder / "bouncing")
+    assert found["status"] == "finished" and found["steps"] > 200_000, found
+    return memory[len(memory) // 4 : -1]
 
 
 def run_in_pieces(program, output, overrides, random_number):
@@ -55,8 +71,9 @@ def main():
     runs = pieces = 0
     with tempfile.TemporaryDirectory() as scratch:
         program = Program(weavefront, mpiexec, Path(scratch))
-        bouncing = start(program, "bouncing", BOUNCING, 1, [])
-        memory = []
+        memory = memory_of_a_long_run(program)
+        assert max(memory) < 1.05 * memory[0], memory
+        print(f"memory of a long run: {memory[0] / 1e6:.1f} MB after a quarter, {max(memory) / 1e6:.1f} MB at most", flush=True)
         while time.monotonic() < end:
             interval, rows = random_number.choice((0.7, 2, 5)), random_number.choice((0.05, 0.2, 1))
             overrides = [*PERFORATION, f"output.interval={interval} us", f"output.history={rows} us"]
@@ -67,14 +84,8 @@ def main():
             for folder in ("whole", "out"):
                 for path in (program.folder / folder).iterdir():
                     path.unlink()
-            if bouncing.poll() is None:
-                memory.append(resident(bouncing.pid))
-            print(f"{runs} runs in {pieces} pieces, memory {memory[-1] / 1e6:.1f} MB" if memory else f"{runs} runs", flush=True)
-        bouncing.send_signal(signal.SIGTERM)
-        bouncing.communicate(timeout=60)
-    if len(memory) > 4:
-        assert memory[-1] < 1.05 * memory[len(memory) // 4], memory
-    print(f"{runs} runs in {pieces} pieces alike, seed {seed}; memory of a long run {memory[0] / 1e6:.1f} to {memory[-1] / 1e6:.1f} MB")
+            print(f"{runs} runs in {pieces} pieces", flush=True)
+    print(f"{runs} runs in {pieces} pieces alike, seed {seed}")
 
 
 main()

@@ -44,7 +44,7 @@ bool CheckpointSchedule::is_due() const {
 double CheckpointSchedule::margin() const { return 2 * longest_ + 5; }
 
 std::string CheckpointSchedule::reason_to_stop() {
-    if (plan_.walltime && seconds_of(Clock::now() - start_) > *plan_.walltime - margin())
+    if (plan_.walltime && seconds_of(Clock::now() - plan_.begin) > *plan_.walltime - margin())
         return fmt::format("the wall time of {:.6g} s is nearly over", *plan_.walltime);
     if (job_end_ && seconds_of(*job_end_ - std::chrono::system_clock::now()) < margin())
         return "the Slurm job is about to end";

@@ -14,7 +14,8 @@ namespace weavefront::app {
 struct CheckpointPlan {
     std::optional<double> interval;     ///< wall time between checkpoints, s
     std::optional<std::int64_t> steps;  ///< steps between them
-    std::optional<double> walltime;     ///< wall time that the run may take, s
+    std::optional<double> walltime;     ///< wall time that the program may take, s
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();  ///< of the program
 };
 
 /// Looks at the clock, at the job's end and for the file `stop`. One process does it and tells the others.
@@ -41,7 +42,7 @@ class CheckpointSchedule {
 
     CheckpointPlan plan_;
     std::filesystem::path stop_file_;
-    Clock::time_point start_ = Clock::now(), last_ = start_, looked_ = start_;
+    Clock::time_point last_ = Clock::now(), looked_ = last_;
     std::optional<std::chrono::system_clock::time_point> job_end_;
     double longest_;  ///< time of a checkpoint, s
 };

@@ -12,7 +12,7 @@ namespace weavefront::app {
 namespace {
 
 // The share of the internal energy from which hourglass energy is commonly questioned, where it is not
-// nothing beside what was handed over.
+// nothing beside the transferred energy.
 constexpr double most_hourglass = 0.1, negligible = 1e-3;
 
 std::string place_text(const Vec3& place) {

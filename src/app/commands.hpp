@@ -14,7 +14,7 @@ class GuardStop : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A run stopped by a signal, exit status 4.
+/// A run that was asked to stop, exit status 4.
 class Interrupted : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

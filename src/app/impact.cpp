@@ -100,10 +100,12 @@ class Impact::Run {
         if (comm_.any(noted_signal() != 0))
             throw Interrupted(agreed_signal() + " received before the first step: nothing was written");
         std::vector<std::string> replaced;
-        if (restart_)
+        if (restart_) {
             directory_.remove_summary();
-        else
+            io::adopt_checkpoint(restart_->path, checkpoint_in(directory_.path()), comm_);
+        } else {
             replaced = directory_.clear();
+        }
         log_.publish();
         history_->publish();
         results_->publish();

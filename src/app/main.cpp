@@ -18,7 +18,7 @@ void add_commands(CLI::App& app) {
     app.set_version_flag("--version", "weavefront " WEAVEFRONT_VERSION);
     app.footer(
         "Exit status: 0 done, 1 stopped by the physics or numerics guard, 2 bad input or usage, 3 system "
-        "error, 4 stopped by a signal.");
+        "error, 4 stopped on request.");
     app.require_subcommand(1);
     app::add_run(app);
     app::add_check(app);
@@ -60,7 +60,9 @@ int main(int argc, char** argv) {
     add_commands(app);
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     // MPI takes a part of a second to start: a signal is not lost meanwhile.
-    if (!arguments.empty() && arguments.front() == "run") app::note_signals();
+    const bool takes_long =
+        !arguments.empty() && (arguments.front() == "run" || arguments.front() == "study");
+    if (takes_long) app::note_signals();
     int status = 0;
     const auto outcome = app::outcome_of([&] {
         if (app::launched_processes() > 1)

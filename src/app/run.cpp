@@ -20,7 +20,6 @@
 #include "overrides_option.hpp"
 #include "restart.hpp"
 #include "shared_text.hpp"
-#include "signals.hpp"
 #include "weavefront/io/output_directory.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/failure.hpp"
@@ -106,7 +105,6 @@ std::string command_to_go_on(const Options& options, const std::filesystem::path
 }
 
 void run(const Options& options) {
-    note_signals();
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     require_one_job(comm.size());

@@ -244,7 +244,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     log_.info(fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded",
                           last.broken_yarns, last.eroded_elements));
     log_.info(
-        fmt::format("  energy        closes within {:.3g} % of what was handed over, at the end {:.4g} J; "
+        fmt::format("  energy        closes within {:.3g} % of the transferred energy, at the end {:.4g} J; "
                     "fabric {:.3g} J, hourglass {:.3g} J, contact "
                     "{:.3g} J",
                     simulation.counts().largest_closure_error * 100, last.transferred_energy, last.internal,

@@ -11,7 +11,6 @@
 #include "outcome.hpp"
 #include "run_head.hpp"
 #include "shared_text.hpp"
-#include "signals.hpp"
 #include "study/measure.hpp"
 #include "study/measured_values.hpp"
 #include "study/study_check.hpp"
@@ -44,7 +43,6 @@ void write_results(const scene::Study& study, const std::vector<StudyEntry>& ent
 
 /// @returns whether this is the rank that draws
 bool compute(const Options& options) {
-    note_signals();
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     require_one_job(comm.size());

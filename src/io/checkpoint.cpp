@@ -181,7 +181,38 @@ void rename_file(const std::filesystem::path& from, const std::filesystem::path&
                                     std::generic_category().message(errno)));
 }
 
+/// Waits until renamed files have their names on the disk.
+void sync_folder_of(const std::filesystem::path& path) {
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int cause = descriptor >= 0 && ::fsync(descriptor) == 0 ? 0 : errno;
+    if (descriptor >= 0) ::close(descriptor);
+    if (cause != 0 && cause != EINVAL)  // of file systems that know no such call
+        throw FileError(
+            fmt::format("{} cannot be flushed: {}", folder.string(), std::generic_category().message(cause)));
+}
+
 }  // namespace
+
+void adopt_checkpoint(const std::filesystem::path& from, const std::filesystem::path& path,
+                      const parallel::Communicator& comm) {
+    Agreement agreement(comm);
+    agreement.attempt_on_root([&] {
+        if (std::filesystem::exists(path) && std::filesystem::equivalent(from, path)) return;
+        require_regular_or_missing(path);
+        if (const auto previous = previous_checkpoint(path);
+            std::filesystem::exists(previous) && std::filesystem::equivalent(from, previous)) {
+            rename_file(previous, path);
+        } else {
+            const auto unfinished = temporary_name(path);
+            ::unlink(unfinished.c_str());
+            std::filesystem::copy_file(from, unfinished);
+            rename_file(unfinished, path);
+        }
+        sync_folder_of(path);
+    });
+    agreement.settle<FileError>();
+}
 
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
     return path.parent_path() / (path.stem().string() + ".previous" + path.extension().string());
@@ -210,6 +241,7 @@ void write_checkpoint(const std::filesystem::path& path, CheckpointContent conte
         agreement.attempt_on_root([&] {
             if (std::filesystem::exists(path)) rename_file(path, previous_checkpoint(path));
             rename_file(unfinished, path);
+            sync_folder_of(path);
         });
         agreement.settle<FileError>();
     } catch (const FileError&) {

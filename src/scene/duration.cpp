@@ -9,8 +9,7 @@ namespace weavefront::scene {
 std::variant<double, std::string> duration_of(std::string_view text) {
     const auto found = shared_units().read(text, duration);
     if (found.problem.empty()) return found.value;
-    return fmt::format("found {}, allowed {}{}", found.problem, "a time with its unit",
-                       found.nearest.empty() ? std::string() : ", did you mean '" + found.nearest + "'?");
+    return fmt::format("found {}, allowed a time with its unit", found.problem);
 }
 
 }  // namespace weavefront::scene

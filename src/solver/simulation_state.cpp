@@ -1,6 +1,7 @@
-#include <algorithm>
+#include <string>
 
 #include "element_state.hpp"
+#include "weavefront/parallel/failure.hpp"
 #include "weavefront/solver/simulation.hpp"
 
 namespace weavefront::solver {
@@ -52,7 +53,7 @@ SavedState Simulation::save() {
     return saved;
 }
 
-void Simulation::restore(SavedState saved) {
+void Simulation::read_state(SavedState& saved) {
     state::ValueReader values(saved.values, comm_);
     visit_values(values);
     state::ColumnReader nodes(saved.nodes);
@@ -67,6 +68,17 @@ void Simulation::restore(SavedState saved) {
         visit_element(elements, model_, static_cast<std::int32_t>(e));
     }
     elements.finish();
+}
+
+void Simulation::restore(SavedState saved) {
+    std::string failure;
+    try {
+        read_state(saved);
+    } catch (const state::Mismatch& mismatch) {
+        failure = mismatch.what();
+    }
+    failure = parallel::first_failure(comm_, failure);
+    if (!failure.empty()) throw state::Mismatch(failure);
     saved = {};
     model_.ghosts = {};  // which have moved, too
     follow_model();

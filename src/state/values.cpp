@@ -5,13 +5,23 @@
 
 namespace weavefront::state {
 
+namespace {
+
+void require_length(std::string_view name, std::size_t found, std::size_t needed) {
+    if (found != needed)
+        throw Mismatch("it holds " + std::to_string(found) + " values of " + std::string(name) + ", " +
+                       std::to_string(needed) + " are needed");
+}
+
+}  // namespace
+
 void ValueWriter::sum(std::string_view name, std::int64_t& part) {
     std::array<std::int64_t, 1> whole{part};
     comm_->sum(whole);
     add(name, std::vector{whole[0]});
 }
 
-void ValueWriter::least(std::string_view name, std::vector<double>& list) {
+void ValueWriter::least(std::string_view name, std::span<double> list) {
     std::vector<double> least;
     for (const double value : list) least.push_back(comm_->min(value));
     add(name, least);
@@ -28,10 +38,14 @@ const Content& ValueReader::get(std::string_view name) const {
 template <class Number>
 Number ValueReader::one(std::string_view name) const {
     const auto& list = get<std::vector<Number>>(name);
-    if (list.size() != 1)
-        throw Mismatch("it holds " + std::to_string(list.size()) + " values of " + std::string(name) +
-                       ", one is needed");
+    require_length(name, list.size(), 1);
     return list[0];
+}
+
+void ValueReader::operator()(std::string_view name, std::span<double> list) {
+    const auto& found = get<std::vector<double>>(name);
+    require_length(name, found.size(), list.size());
+    std::ranges::copy(found, list.begin());
 }
 
 void ValueReader::operator()(std::string_view name, std::optional<double>& value) {

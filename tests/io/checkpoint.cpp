@@ -106,6 +106,28 @@ TEST_F(Checkpoints, StayWhereTheNextCannotBeWritten) {
     EXPECT_FALSE(std::filesystem::exists(previous_checkpoint(path_)));
 }
 
+TEST_F(Checkpoints, FromWhichARunGoesOnAreTheNewestOfTheFolder) {
+    const auto other = scratch_ / "other.h5";
+    auto of_other = content_of(comm_);
+    of_other.scene = "title: other\n";
+    write_checkpoint(other, of_other, comm_);
+    auto earlier = content_of(comm_);
+    earlier.scene = "title: earlier\n";
+    write_checkpoint(path_, earlier, comm_);
+    write_checkpoint(path_, content_of(comm_), comm_);
+    const auto scene = [&] { return Checkpoint(path_, comm_).scene(); };
+
+    adopt_checkpoint(path_, path_, comm_);
+    EXPECT_EQ(scene(), "title: x\n");
+    EXPECT_EQ(Checkpoint(previous_checkpoint(path_), comm_).scene(), "title: earlier\n");
+    adopt_checkpoint(previous_checkpoint(path_), path_, comm_);
+    EXPECT_EQ(scene(), "title: earlier\n");
+    EXPECT_FALSE(std::filesystem::exists(previous_checkpoint(path_)));
+    adopt_checkpoint(other, path_, comm_);
+    EXPECT_EQ(scene(), "title: other\n");
+    EXPECT_EQ(Checkpoint(other, comm_).scene(), "title: other\n");
+}
+
 TEST_F(Checkpoints, RefuseIdsBeyondTheirItems) {
     write_checkpoint(path_, content_of(comm_), comm_);
     const Checkpoint read(path_, comm_);

@@ -25,12 +25,33 @@ PERFORATION = (
     "output.history=0.2 us",
 )
 
+# What the perforation above lacks: the paper's formulation, straight yarns, a turned ply, damping, a cylinder, contact at the nodes.
+MIXED = (
+    "fabrics.b={formulation: paper, areal_density: 150 g/m^2, density: 1440 kg/m^3, thickness: 0.3 mm, friction: 0.11,"
+    " yarn: {span: 0.9 mm, area: 0.05 mm^2, width: 0.3 mm},"
+    " elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa, viscosity: 35 MPa s},"
+    " failure: {static_strain: 2.5 %, hooke_strain: 2 %, erode: any_yarn},"
+    " lateral: {modulus: 7.4 GPa, shear_modulus: 2.5 GPa, locking_angle: 35 deg, transition: 3 deg}, transverse_shear: 2.5 GPa}",
+    "fabrics.c={areal_density: 150 g/m^2, density: 1440 kg/m^3, thickness: 0,"
+    " yarn: {span: 0.9 mm, area: 0.05 mm^2, width: 0.3 mm}, elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa, viscosity: 35 MPa s},"
+    " transverse_shear: 2.5 GPa}",
+    "target.symmetry=[]",
+    "target.plies=[{fabric: b}, {fabric: a, angle: 30 deg, spacing: 0.3 mm}, {fabric: c, spacing: 0.3 mm}]",
+    "target.mesh={center: 1 mm, edge: 2 mm}",
+    "projectile={shape: cylinder, diameter: 5 mm, edge_radius: 0.3 mm, mass: 1 g, velocity: [0, 0, 500 m/s]}",
+    "contact={spacing: nodes, projectile: {}, plies: {}}",
+    "damping=2000 1/s",
+    "time.end=16 us",
+    "output.interval=2 us",
+    "output.history=0.2 us",
+)
+
 
 def whole_run(program, name="whole", overrides=PERFORATION, ranks=1):
     """The uninterrupted run, with which others are compared."""
     program.run(name, overrides, ranks)
     found = summary(program.folder / name)
-    assert found["eroded_elements"] > 0 and found["outcome"]["plies_perforated"] == 2, found
+    assert found["eroded_elements"] > 0 and found["outcome"]["plies_perforated"] > 0, found
     return program.folder / name
 
 

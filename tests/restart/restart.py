@@ -5,7 +5,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from perforation import PERFORATION, Program, differences, summary, whole_run
+from perforation import MIXED, PERFORATION, Program, differences, summary, whole_run
 
 # Changed only together with the physics, or the columns and arrays, and by a commit that says why.
 PINNED = {
@@ -41,6 +41,13 @@ def hashes_are_those_of_every_build(whole):
         found = hashlib.sha256((whole / name).read_bytes()).hexdigest()
         assert summary(whole)[key] == found, name
         assert found == PINNED[name], (name, found)
+
+
+def all_formulations_go_on(program):
+    whole = whole_run(program, "mixed", MIXED)
+    program.run("in two", [*MIXED, "time.end=12 us"], 2, ["--checkpoint-every", "50 steps"])
+    program.run("in two", MIXED, 3, ["--restart", "auto"])
+    assert differences(whole, program.folder / "in two") == []
 
 
 def end_and_intervals_may_change(program, whole):
@@ -89,6 +96,7 @@ def main():
         whole = whole_run(program)
         hashes_are_those_of_every_build(whole)
         goes_on_on_any_ranks(program, whole)
+        all_formulations_go_on(program)
         end_and_intervals_may_change(program, whole)
         the_past_may_not(program)
 

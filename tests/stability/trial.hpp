@@ -43,7 +43,7 @@ struct Result {
     std::string message;  ///< of the guard, or of the reader of scenes
     std::int64_t steps = 0;
     double time = 0;             ///< s
-    double energy_error = 0;     ///< largest over the rows, over the energy handed over until then, 1
+    double energy_error = 0;     ///< largest over the rows, over the energy transferred until then, 1
     double hourglass_share = 0;  ///< largest hourglass energy over the same, 1
     double given =
         0;  ///< most that yarns, friction or contact had given beyond what they took, over the same, 1

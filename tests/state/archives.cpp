@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "weavefront/state/record.hpp"
 #include "weavefront/state/table.hpp"
 #include "weavefront/state/values.hpp"
@@ -118,7 +120,7 @@ TEST(Values, OfRanksAreBroughtTogether) {
     writer.sum("part", part);
     writer.least("least", least);
     std::int64_t read = -1;
-    std::vector<double> read_least;
+    std::vector<double> read_least(2);
     ValueReader reader(values, comm);
     reader.sum("part", read);
     reader.least("least", read_least);
@@ -151,6 +153,7 @@ TEST(Values, AreReadByNameAndKind) {
     EXPECT_EQ(read_text, text);
     EXPECT_FALSE(read_none);
     EXPECT_EQ(read_some, some);
+    EXPECT_THROW(reader("some", std::span<double>()), Mismatch);  // one value is written
     EXPECT_THROW(reader("missing", read_number), Mismatch);
     EXPECT_THROW(reader("integer", read_number), Mismatch);
 }

@@ -3,8 +3,8 @@
 /// Contact between the projectile and the frame, two rigid bodies.
 
 #include <array>
+#include <span>
 #include <string_view>
-#include <vector>
 
 #include "weavefront/contact/frame.hpp"
 #include "weavefront/contact/penalty.hpp"
@@ -29,14 +29,14 @@ class ProjectileOnFrame {
     /// Penetrations of the four bars, one after the other.
     template <class Archive>
     void state(Archive& archive, std::string_view name) {
-        std::vector<double> all;
-        for (const auto& [axis, outward, p] : bars_) all.insert(all.end(), {p.overlap, p.ignored, p.opened});
-        archive(name, all);
-        auto next = all.begin();
-        for (auto& bar : bars_) {
-            bar.penetration = {next[0], next[1], next[2]};
-            next += 3;
+        std::array<double, 3 * 4> all;
+        for (std::size_t b = 0; b < bars_.size(); ++b) {
+            const auto& [overlap, ignored, opened] = bars_[b].penetration;
+            all[3 * b] = overlap, all[3 * b + 1] = ignored, all[3 * b + 2] = opened;
         }
+        archive(name, std::span(all));
+        for (std::size_t b = 0; b < bars_.size(); ++b)
+            bars_[b].penetration = {all[3 * b], all[3 * b + 1], all[3 * b + 2]};
     }
 
   private:

@@ -31,6 +31,15 @@ struct CheckpointContent {
 void write_checkpoint(const std::filesystem::path& path, CheckpointContent content,
                       const parallel::Communicator& comm);
 
+/// Makes the checkpoint from which a run goes on the newest one of its folder: `previous_checkpoint` is
+/// moved, any other file is copied. A newer one, which is damaged or of rows that are cut, is replaced.
+/// Afterwards the next checkpoint may move the newest one without a moment at which none can be used.
+/// @param path of the newest checkpoint of the folder
+/// @throws FileError on all ranks
+/// @note Collective
+void adopt_checkpoint(const std::filesystem::path& from, const std::filesystem::path& path,
+                      const parallel::Communicator& comm);
+
 /// Where the checkpoint before the newest one is kept.
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path);
 

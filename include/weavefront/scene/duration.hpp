@@ -8,7 +8,7 @@
 
 namespace weavefront::scene {
 
-/// Reads a time with its unit. @return s, or what the text is instead and how a time is written
+/// Reads a time with its unit. @return s, or the problem: what was found and what is allowed
 std::variant<double, std::string> duration_of(std::string_view text);
 
 }  // namespace weavefront::scene

@@ -164,7 +164,7 @@ struct Scene {
     } time;
     struct Limits {
         double energy_error =
-            0.05;  ///< the run stops when the closure error passes this share of the energy handed over
+            0.05;  ///< the run stops when the closure error passes this share of the transferred energy
     } limits;
     Output output;
     std::string resolved;  ///< the scene as YAML with every default written out, SI

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "weavefront/contact/deepest.hpp"
@@ -31,7 +32,7 @@ struct Counts {
     void state(Archive& archive) {
         archive.sum("counts.broken_yarns", broken_yarns);
         archive.sum("counts.eroded_elements", eroded_elements);
-        archive.least("counts.first_break", first_break);
+        archive.least("counts.first_break", std::span(first_break));
         archive("counts.searches", searches);
         archive("counts.inverted", inverted);
         archive("counts.max_displacement", max_displacement);

@@ -34,7 +34,8 @@ struct GhostFacet {
 class Ghosts {
   public:
     /// Replaces all ghosts where on any rank one is missing that may matter until the next renewal, or one
-    /// has eroded or come to lie on a rim. Otherwise they stay: every rank moves them as their owner does.
+    /// has eroded or come to lie on a free edge. Otherwise they stay: every rank moves them as their owner
+    /// does.
     /// @param expected where this rank's nodes are until the next renewal
     /// @param reach    within which ghosts are taken in, m
     /// @param spare    part of it that is for later: facets within reach - spare may matter until the next

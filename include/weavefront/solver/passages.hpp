@@ -25,7 +25,7 @@ struct Passage {
 };
 
 /// The projectile has passed a ply when its middle is behind the fabric of the ply within its radius, as seen
-/// along z, and the ply does not press on it. Debris, elements with a broken yarn and those at the rim of a
+/// along z, and the ply does not press on it. Debris, elements with a broken yarn and those at the edge of a
 /// hole do not count: they may fly or hang ahead of it for long.
 class Passages {
   public:

@@ -66,7 +66,7 @@ class Simulation {
     [[nodiscard]] SavedState save();
     /// Goes on from a state of the same scene, between integrate and advance_forces.
     /// @param saved tables of this rank's nodes and owned elements, in the order of the model's global ids
-    /// @throws state::Mismatch when it is not a state of this scene and this program; on some ranks only
+    /// @throws state::Mismatch on all ranks when it is not a state of this scene and this program
     /// @note Collective
     void restore(SavedState saved);
 
@@ -146,6 +146,7 @@ class Simulation {
     void close(Balance& balance) const;
     template <class Archive>
     void visit_values(Archive& archive);
+    void read_state(SavedState& saved);
     [[nodiscard]] double damping_work(std::size_t node, const Vec3& next, double backward,
                                       double forward) const;
 

@@ -2,12 +2,10 @@
 /// @file
 /// Bound on the highest frequency of the whole model, from which the time step follows.
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/mesh/panel.hpp"
@@ -81,10 +79,7 @@ class StepBound {
     /// What earlier calls have found: the next bound depends on it.
     template <class Archive>
     void state(Archive& archive) {
-        std::vector<double> last(last_.begin(), last_.end());
-        archive("step_bound.last", last);
-        std::ranges::copy_n(last.begin(), static_cast<std::ptrdiff_t>(std::min(last.size(), last_.size())),
-                            last_.begin());
+        archive("step_bound.last", std::span(last_));
         archive("step_bound.best", best_);
         archive("step_bound.attempts", attempts_);
         archive("step_bound.waits", waits_);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -30,6 +31,9 @@ class ValueWriter {
 
     void operator()(std::string_view name, double& value) { add(name, std::vector{value}); }
     void operator()(std::string_view name, std::vector<double>& list) { add(name, list); }
+    void operator()(std::string_view name, std::span<double> list) {
+        add(name, std::vector<double>(list.begin(), list.end()));
+    }
     void operator()(std::string_view name, std::int64_t& value) { add(name, std::vector{value}); }
     void operator()(std::string_view name, std::vector<std::int64_t>& list) { add(name, list); }
     void operator()(std::string_view name, int& value) { add(name, std::vector<std::int64_t>{value}); }
@@ -41,7 +45,7 @@ class ValueWriter {
     /// A part of a sum over the ranks. @note Collective
     void sum(std::string_view name, std::int64_t& part);
     /// Of each the least over the ranks counts. @note Collective
-    void least(std::string_view name, std::vector<double>& list);
+    void least(std::string_view name, std::span<double> list);
 
   private:
     template <class Content>
@@ -62,6 +66,8 @@ class ValueReader {
     void operator()(std::string_view name, std::vector<double>& list) {
         list = get<std::vector<double>>(name);
     }
+    /// @throws Mismatch also when there are more values, or fewer
+    void operator()(std::string_view name, std::span<double> list);
     void operator()(std::string_view name, std::int64_t& value) { value = one<std::int64_t>(name); }
     void operator()(std::string_view name, std::vector<std::int64_t>& list) {
         list = get<std::vector<std::int64_t>>(name);
@@ -74,7 +80,7 @@ class ValueReader {
     void sum(std::string_view name, std::int64_t& part) {
         part = comm_->rank() == 0 ? one<std::int64_t>(name) : 0;
     }
-    void least(std::string_view name, std::vector<double>& list) { list = get<std::vector<double>>(name); }
+    void least(std::string_view name, std::span<double> list) { (*this)(name, list); }
 
   private:
     template <class Content>

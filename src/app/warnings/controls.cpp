@@ -8,7 +8,7 @@ namespace weavefront::app {
 
 namespace {
 
-// The run stops when more of what was handed over is missing: from all of it on, that is never.
+// The run stops when more than a share of the transferred energy is missing: at a share of 1, that is never.
 constexpr double most_energy_error = 1;
 
 // The bound on the step is one on stability; below a tenth of it accuracy gains nothing and cost is tenfold.

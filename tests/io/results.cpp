@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "scratch_directory.hpp"
 #include "synthetic_model.hpp"
 #include "weavefront/io/file_error.hpp"
+#include "weavefront/io/read_results.hpp"
 
 namespace weavefront::io {
 namespace {
@@ -86,6 +88,30 @@ TEST_F(ResultsTest, TakeTheRoomOfWhatWasWritten) {
     const auto exact = size(7, 7);
     EXPECT_EQ(size(1000, 7), exact);  // too much
     EXPECT_EQ(size(1, 7), exact);     // too little
+}
+
+TEST_F(ResultsTest, GoOnAfterTheirFirstFrames) {
+    const auto path = directory_ / "results.vtkhdf";
+    const auto frames = [&] { return ResultsReader(path).times(); };
+    const auto time = [&](int k) { return model_.frame(k).time; };
+    {
+        Results results(model_.setup(path, 3), comm_);
+        results.publish();
+        for (int k = 0; k < 3; ++k) results.write(model_.frame(k));
+    }
+    EXPECT_EQ(
+        message_of<FileError>([&] { const Results more(model_.setup(path, 3), 4, comm_); }),
+        path.string() + " cannot be continued: it holds 3 frames, 4 were written before the checkpoint");
+    Results results(model_.setup(path, 3), 1, comm_);
+    EXPECT_EQ(frames(), (std::vector{time(0), time(1), time(2)}));  // until the run is certain to start
+    EXPECT_FALSE(comm_.any(false));
+    results.publish();
+    EXPECT_EQ(frames(), std::vector{time(0)});
+    EXPECT_FALSE(comm_.any(false));
+    results.write(model_.frame(5));
+    EXPECT_EQ(results.frames(), 2);
+    EXPECT_EQ(frames(), (std::vector{time(0), time(5)}));
+    EXPECT_FALSE(comm_.any(false));
 }
 
 TEST_F(ResultsTest, NoticeThatTheyWereMoved) {

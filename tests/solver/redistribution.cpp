@@ -18,6 +18,11 @@ const std::vector<std::string> perforated{
     "target.plies.count=2", "fabrics.kevlar129.failure={static_strain: 3.3 %, hooke_strain: 2.7 %}",
     "target.edges={y: frame}", "target.frame={opening: {y: 16 mm}}", "projectile.velocity=[0, 0, 600 m/s]"};
 
+/// A projectile that comes down on the frame.
+const std::vector<std::string> onto_the_frame{
+    "target.size=[30 mm, 30 mm]", "target.edges={y: frame}", "target.frame={opening: {y: 8 mm}}",
+    "projectile.position=[0, 3.5 mm, -0.2 mm]", "projectile.velocity=[0, 0, 100 m/s]"};
+
 /// A slack ply that does not break: its yarns, straightened and packed here and there, decide on the time
 /// step.
 const std::vector<std::string> slack{"target.size=[22 mm, 22 mm]", "fabrics.kevlar129.thickness=0.82 mm",
@@ -103,32 +108,72 @@ TEST(SavedState, ThatLacksAnElementsFieldOnOneRankIsRefusedOnAll) {
     }
 }
 
+/// What a run would tell of its past.
+void expect_same_past(const Simulation& whole, const Simulation& next) {
+    const auto &a = whole.passages().plies(), &b = next.passages().plies();
+    for (std::size_t ply = 0; ply < a.size(); ++ply) {
+        ASSERT_EQ(a[ply].has_value(), b[ply].has_value());
+        if (!a[ply]) continue;
+        EXPECT_EQ(a[ply]->time, b[ply]->time);
+        EXPECT_EQ(a[ply]->way, b[ply]->way);
+        EXPECT_EQ(a[ply]->element, b[ply]->element);
+    }
+    EXPECT_EQ(whole.model().surface.on_free_edge.empty(), next.model().surface.on_free_edge.empty());
+    EXPECT_EQ(whole.counts().touched, next.counts().touched);
+    EXPECT_EQ(whole.counts().last_touched, next.counts().last_touched);
+    EXPECT_EQ(whole.counts().turned_back, next.counts().turned_back);
+    EXPECT_EQ(whole.counts().largest_internal, next.counts().largest_internal);
+}
+
+/// Goes on from a saved state beside the run that was saved.
+void expect_same_future(Simulation& whole, const scene::Scene& scene, int steps,
+                        const parallel::Communicator& comm) {
+    auto saved = whole.save();
+    saved.nodes = nodes_of(whole);  // both have the same columns on each rank
+    Simulation next(scene, comm);
+    next.restore(std::move(saved));
+    for (int n = 0; n < steps; ++n) {
+        whole.advance_forces();
+        next.advance_forces();
+        const auto a = whole.record_balance(), b = next.record_balance();
+        ASSERT_EQ(a.projectile_velocity, b.projectile_velocity) << n;
+        ASSERT_EQ(a.contact_force, b.contact_force) << n;
+        ASSERT_EQ(a.internal, b.internal) << n;
+        ASSERT_EQ(a.contact, b.contact) << n;
+        ASSERT_EQ(a.broken_yarns, b.broken_yarns) << n;
+        ASSERT_EQ(a.transferred_energy, b.transferred_energy) << n;
+        ASSERT_EQ(a.deepest.overlap, b.deepest.overlap) << n;
+        whole.integrate();
+        next.integrate();
+        ASSERT_EQ(whole.time(), next.time()) << n;
+        ASSERT_EQ(whole.time_step(), next.time_step()) << n;
+    }
+    for (std::size_t ply = 0; ply < whole.counts().first_break.size(); ++ply)
+        EXPECT_EQ(comm.min(whole.counts().first_break[ply]), comm.min(next.counts().first_break[ply]));
+    expect_same_past(whole, next);
+}
+
 TEST(SavedState, IsAllThatARunDependsOn) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    for (const auto* overrides : {&perforated, &slack}) {
+    for (const auto& [overrides, before] :
+         {std::pair(&perforated, 300), std::pair(&slack, 300), std::pair(&onto_the_frame, 60)}) {
         const auto scene = scene_with(*overrides);
         Simulation whole(scene, comm);
-        for (int n = 0; n < 300; ++n) whole.advance_forces(), whole.integrate();
-        auto saved = whole.save();
-        saved.nodes = nodes_of(whole);  // both have the same columns on each rank
-        Simulation next(scene, comm);
-        next.restore(std::move(saved));
-        for (int n = 0; n < 200; ++n) {
-            whole.advance_forces();
-            next.advance_forces();
-            const auto a = whole.record_balance(), b = next.record_balance();
-            ASSERT_EQ(a.projectile_velocity, b.projectile_velocity) << n;
-            ASSERT_EQ(a.internal, b.internal) << n;
-            ASSERT_EQ(a.contact, b.contact) << n;
-            ASSERT_EQ(a.broken_yarns, b.broken_yarns) << n;
-            ASSERT_EQ(a.transferred_energy, b.transferred_energy) << n;
-            ASSERT_EQ(whole.time(), next.time()) << n;
-            whole.integrate();
-            next.integrate();
-        }
-        for (std::size_t ply = 0; ply < whole.counts().first_break.size(); ++ply)
-            EXPECT_EQ(comm.min(whole.counts().first_break[ply]), comm.min(next.counts().first_break[ply]));
+        for (int n = 0; n < before; ++n) whole.advance_forces(), whole.integrate();
+        // Of five states one after the other, the time step is due to be adapted at the first step after one
+        // only.
+        for (int k = 0; k < 5; ++k) expect_same_future(whole, scene, 31, comm);
     }
+}
+
+/// Fragments have all broken off: no later step would find the free edges again by itself.
+TEST(SavedState, KnowsOfErosionsBefore) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const auto scene = scene_with(perforated);
+    Simulation whole(scene, comm);
+    for (int n = 0; n < 600; ++n) whole.advance_forces(), whole.integrate();
+    ASSERT_TRUE(comm.any(whole.counts().eroded_elements > 0));
+    expect_same_future(whole, scene, 1, comm);
 }
 
 }  // namespace

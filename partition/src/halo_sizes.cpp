@@ -27,8 +27,7 @@ std::vector<Range> within_reach(const std::vector<double>& lines, double reach) 
 template <class T>
 void leave_each_once(std::vector<T>& values) {
     std::ranges::sort(values);
-    const auto again = std::ranges::unique(values);
-    values.erase(again.begin(), again.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 class Counter {

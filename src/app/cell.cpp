@@ -4,7 +4,6 @@
 
 #include <array>
 #include <filesystem>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -15,16 +14,9 @@
 #include "deformation_path.hpp"
 #include "launcher.hpp"
 #include "output_file.hpp"
-#include "overrides_option.hpp"
 
 namespace weavefront::app {
 namespace {
-
-struct Options {
-    std::filesystem::path scene, path, out;
-    std::string fabric;
-    std::vector<std::string> overrides;
-};
 
 constexpr const char* header =
     "time,lambda_fill,lambda_warp,theta,h_fill,strain_fill,strain_warp,stress_fill,stress_warp,contact_"
@@ -73,7 +65,9 @@ CsvTable deform(const fabric::Constants& c, const fabric::Features& features,
     return table;
 }
 
-void cell(const Options& options) {
+}  // namespace
+
+void cell(const CellOptions& options) {
     if (!is_first_process()) return;
     const scene::Fabric fabric = chosen_fabric(options.scene, options.overrides, options.fabric);
     const std::vector<Deformation> path = read_deformation_path(options.path);
@@ -83,27 +77,6 @@ void cell(const Options& options) {
     fabric::with_features(features, [&]<fabric::Features F>() {
         return deform<F>(constants, features, path, options.path.string());
     }).write(options.out);
-}
-
-}  // namespace
-
-void add_cell(CLI::App& app) {
-    auto* command = app.add_subcommand("cell", "Take one material point through a prescribed deformation");
-    auto options = std::make_shared<Options>();
-    command->add_option("SCENE", options->scene, "Scene file (YAML); only its fabrics are read")->required();
-    command
-        ->add_option("--path", options->path,
-                     "CSV with the columns time,F11,F12,F21,F22: deformation gradient in the initial yarn "
-                     "axes (1 fill, 2 warp), "
-                     "first row the identity, one material step a row")
-        ->required();
-    command
-        ->add_option("--out", options->out,
-                     "CSV to write, SI units, stresses in the bisector frame of the yarns")
-        ->required();
-    command->add_option("--fabric", options->fabric, "Name of the fabric, where the scene has several");
-    add_overrides(*command, options->overrides);
-    command->callback([options] { cell(*options); });
 }
 
 }  // namespace weavefront::app

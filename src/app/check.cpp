@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <memory>
 #include <optional>
 
 #include "commands.hpp"
 #include "inactive_features.hpp"
 #include "launcher.hpp"
 #include "memory.hpp"
-#include "overrides_option.hpp"
+#include "stop.hpp"
 #include "warnings.hpp"
 #include "weavefront/io/progress.hpp"
 #include "weavefront/mesh/panel.hpp"
@@ -21,11 +20,6 @@
 namespace weavefront::app {
 
 namespace {
-
-struct Options {
-    std::filesystem::path scene;
-    std::vector<std::string> overrides;
-};
 
 /// The distance at which plies of a fabric touch, and what decides where its yarns break without viscosity:
 /// sigma = E1 eps then, so that eps_a = E1/Ka eps reaches hooke_strain at Ka/E1 hooke_strain, IT04 (19), and
@@ -103,7 +97,9 @@ std::optional<solver::StepLimits> limits_of(const scene::Scene& scene, const mes
     return limits;
 }
 
-void check(const Options& options) {
+}  // namespace
+
+void check(const CheckOptions& options) {
     if (!is_first_process()) return;
     const auto scene = scene::read_scene(options.scene, options.overrides);
     const auto panel = mesh::make_panel(scene);
@@ -129,18 +125,6 @@ void check(const Options& options) {
                    bytes_text(memory_here()));
     for (const auto& phrase : inactive_features(scene, 1)) fmt::print("  left out   {}\n", phrase);
     for (const auto& phrase : phrases) fmt::print("warning: {}\n", phrase);
-}
-
-}  // namespace
-
-void add_check(CLI::App& app) {
-    auto* command = app.add_subcommand("check",
-                                       "Validate a scene; print its size, memory, time step, steps, run time "
-                                       "and what is left out, and warn");
-    auto options = std::make_shared<Options>();
-    command->add_option("SCENE", options->scene, "Scene file (YAML)")->required();
-    add_overrides(*command, options->overrides);
-    command->callback([options] { check(*options); });
 }
 
 }  // namespace weavefront::app

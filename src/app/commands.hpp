@@ -1,30 +1,71 @@
 #pragma once
 /// @file
-/// The subcommands. Each function adds one to the command line; its callback runs it and throws on failure.
+/// The subcommands and their options. Each function throws on failure.
 
-#include <CLI/CLI.hpp>
-#include <stdexcept>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checkpoint_schedule.hpp"
 
 namespace weavefront::app {
 
-/// A run stopped by the physics or numerics guard, exit status 1. scene::InputError exits with 2, every other
-/// exception with 3.
-class GuardStop : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
+struct RunOptions {
+    std::filesystem::path scene, output;  ///< output empty: runs/<scene name>
+    std::vector<std::string> overrides;
+    std::optional<double> rebalance;
+    CheckpointPlan checkpoints;
+    std::string restart;  ///< auto or a file; empty: from the start
+    bool overwrite = false;
 };
 
-/// A run that was asked to stop, exit status 4.
-class Interrupted : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
+/// Computes an impact. @note Collective
+void run(const RunOptions& options);
+
+struct CheckOptions {
+    std::filesystem::path scene;
+    std::vector<std::string> overrides;
 };
 
-void add_run(CLI::App& app);
-void add_check(CLI::App& app);
-void add_cell(CLI::App& app);
-void add_yarn(CLI::App& app);
-void add_study(CLI::App& app);
-void add_partition(CLI::App& app);
+/// Validates a scene and prints what its run takes.
+void check(const CheckOptions& options);
+
+struct CellOptions {
+    std::filesystem::path scene, path, out;
+    std::string fabric;  ///< empty: the only one
+    std::vector<std::string> overrides;
+};
+
+/// Takes one material point through a prescribed deformation.
+void cell(const CellOptions& options);
+
+struct YarnOptions {
+    std::filesystem::path scene, out;
+    std::string fabric, rates;  ///< fabric empty: the only one
+    std::vector<std::string> overrides;
+};
+
+/// Strains one yarn at constant rates up to its failure.
+void yarn(const YarnOptions& options);
+
+struct StudyOptions {
+    std::filesystem::path study, output, check;  ///< output empty: runs/<study name>; check empty: none
+    bool no_picture = false;
+};
+
+/// Computes variants of a scene and their errors. @note Collective
+void study(StudyOptions options);
+
+struct PartitionOptions {
+    std::filesystem::path scene, machine, out, calibrate;
+    std::vector<std::string> overrides;
+    std::optional<std::string> ranks;
+    bool weak = false, measure = false;
+    int repetitions = 3;
+};
+
+/// Forecasts or measures the time of a step on several ranks. @note Collective
+void partition(const PartitionOptions& options);
 
 }  // namespace weavefront::app

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "commands.hpp"
 #include "frames.hpp"
 #include "output_schedule.hpp"
 #include "projectile_surface.hpp"
 #include "run_report.hpp"
 #include "signals.hpp"
+#include "stop.hpp"
 #include "weavefront/io/file_error.hpp"
 #include "weavefront/io/history.hpp"
 #include "weavefront/io/progress.hpp"

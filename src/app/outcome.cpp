@@ -8,8 +8,8 @@
 #include <thread>
 #include <utility>
 
-#include "commands.hpp"
 #include "launcher.hpp"
+#include "stop.hpp"
 #include "weavefront/parallel/failure.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/solver/guard.hpp"

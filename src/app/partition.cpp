@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "commands.hpp"
@@ -11,13 +10,13 @@
 #include "launcher.hpp"
 #include "list_option.hpp"
 #include "output_file.hpp"
-#include "overrides_option.hpp"
 #include "partition/calibration.hpp"
 #include "partition/cpu_speed.hpp"
 #include "partition/machine_file.hpp"
 #include "partition/scaling_table.hpp"
 #include "partition/spread_ranks.hpp"
 #include "shared_text.hpp"
+#include "stop.hpp"
 #include "weavefront/io/replace_file.hpp"
 #include "weavefront/parallel/on_root.hpp"
 #include "weavefront/partition/machine.hpp"
@@ -30,14 +29,6 @@ namespace {
 
 constexpr int most_ranks = 100'000;
 
-struct Options {
-    std::filesystem::path scene, machine, out, calibrate;
-    std::vector<std::string> overrides;
-    std::optional<std::string> ranks;
-    bool weak = false, measure = false;
-    int repetitions = 3;
-};
-
 int rank_count(const std::string& text) {
     int count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
@@ -47,7 +38,7 @@ int rank_count(const std::string& text) {
     return count;
 }
 
-std::vector<int> rank_counts(const Options& options, const scene::Scene& scene) {
+std::vector<int> rank_counts(const PartitionOptions& options, const scene::Scene& scene) {
     std::vector<int> ranks;
     for (const auto& text : items_of(*options.ranks)) ranks.push_back(rank_count(text));
     for (const int count : ranks) {
@@ -60,7 +51,7 @@ std::vector<int> rank_counts(const Options& options, const scene::Scene& scene) 
     return ranks;
 }
 
-void require_consistent(const Options& options) {
+void require_consistent(const PartitionOptions& options) {
     if (options.ranks.has_value() != options.calibrate.empty())
         throw scene::InputError({"partition: allowed is one of --ranks LIST and --calibrate FILE"});
     if (options.repetitions < 1)
@@ -69,7 +60,7 @@ void require_consistent(const Options& options) {
 }
 
 /// Adds what the steps take here to the rows of as many ranks as there are.
-void measure(const Options& options, const scene::Scene& scene, const parallel::Communicator& comm,
+void measure(const PartitionOptions& options, const scene::Scene& scene, const parallel::Communicator& comm,
              std::vector<ScalingRow>& rows, const std::vector<int>& ranks,
              const partition::Machine& machine) {
     for (std::size_t i = 0; i < ranks.size(); ++i) {
@@ -85,7 +76,7 @@ void measure(const Options& options, const scene::Scene& scene, const parallel::
     }
 }
 
-void scale(const Options& options, const scene::Scene& scene, const parallel::Communicator& comm) {
+void scale(const PartitionOptions& options, const scene::Scene& scene, const parallel::Communicator& comm) {
     const auto machine = options.machine.empty()
                              ? partition::committed_machine()
                              : parse_machine(shared_text(options.machine, comm), options.machine.string());
@@ -98,7 +89,8 @@ void scale(const Options& options, const scene::Scene& scene, const parallel::Co
     if (!options.out.empty()) io::replace_file(options.out, csv_table(rows));
 }
 
-void run_calibration(const Options& options, const scene::Scene& scene, const parallel::Communicator& comm) {
+void run_calibration(const PartitionOptions& options, const scene::Scene& scene,
+                     const parallel::Communicator& comm) {
     require_calibration(scene, comm.size());
     const auto machine = calibrate(scene, comm, options.repetitions);
     if (comm.rank() != 0) return;
@@ -106,7 +98,9 @@ void run_calibration(const Options& options, const scene::Scene& scene, const pa
     fmt::print("{}: written\n{}", options.calibrate.string(), machine_text(machine));
 }
 
-void partition(const Options& options) {
+}  // namespace
+
+void partition(const PartitionOptions& options) {
     require_consistent(options);
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
@@ -123,30 +117,6 @@ void partition(const Options& options) {
     } catch (const solver::GuardStop& stop) {
         throw GuardStop(stop.what());
     }
-}
-
-}  // namespace
-
-void add_partition(CLI::App& app) {
-    auto* command =
-        app.add_subcommand("partition", "Quality of decompositions and the time of a step that they lead to");
-    auto options = std::make_shared<Options>();
-    command->add_option("SCENE", options->scene, "Scene file (YAML)")->required();
-    command->add_option("--ranks", options->ranks, "Rank counts, such as 1,64,1024");
-    command->add_flag("--weak", options->weak,
-                      "Refine the mesh with the square root of the rank count from the first one, where the "
-                      "scene is as it stands");
-    command->add_option("--machine", options->machine,
-                        "Constants of a machine, from --calibrate (default: those of the program's own)");
-    command->add_flag("--measure", options->measure,
-                      "Compute the scene on up to as many ranks as mpirun gives, beside the model");
-    command->add_option("--calibrate", options->calibrate,
-                        "Measure this machine on the ranks that mpirun gives and write its constants (JSON)");
-    command->add_option("--repetitions", options->repetitions,
-                        "Of every measured step, of which the quickest counts (default: 3)");
-    command->add_option("--out", options->out, "Write the table as CSV");
-    add_overrides(*command, options->overrides);
-    command->callback([options] { partition(*options); });
 }
 
 }  // namespace weavefront::app

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <system_error>
 
@@ -26,13 +25,8 @@ namespace weavefront::app {
 
 namespace {
 
-struct Options {
-    std::filesystem::path study, output, check;
-    bool no_picture = false;
-};
-
 void write_results(const scene::Study& study, const std::vector<StudyEntry>& entries,
-                   const study::Columns& measured, const Options& options,
+                   const study::Columns& measured, const StudyOptions& options,
                    const std::optional<study::TextTable>& before, io::Log& log) {
     const std::vector<StudyRow> rows = measure_study(study, entries, options.output, measured);
     write_study_files(study, entries, rows, options.output);
@@ -42,7 +36,7 @@ void write_results(const scene::Study& study, const std::vector<StudyEntry>& ent
 }
 
 /// @returns whether this is the rank that draws
-bool compute(const Options& options) {
+bool compute(const StudyOptions& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     require_one_job(comm.size());
@@ -69,7 +63,9 @@ bool compute(const Options& options) {
     return comm.rank() == 0;
 }
 
-void study(Options options) {
+}  // namespace
+
+void study(StudyOptions options) {
     if (options.output.empty()) {
         // Studies are called study.yaml in a folder that says of what.
         std::error_code unknown;
@@ -79,24 +75,6 @@ void study(Options options) {
     }
     if (compute(options) && !options.no_picture)
         run_at_end([folder = options.output] { draw_study(folder); });
-}
-
-}  // namespace
-
-void add_study(CLI::App& app) {
-    auto* command = app.add_subcommand(
-        "study", "Compute variants of a scene and their errors: mpirun -n N weavefront study STUDY");
-    auto options = std::make_shared<Options>();
-    command->add_option("STUDY", options->study, "Study file (YAML)")->required();
-    command->add_option("--output", options->output,
-                        "Folder for study.csv, study.json, study.png and one folder a variant (default: "
-                        "runs/<study name>); variants that "
-                        "it holds already are not computed again");
-    command->add_option("--check", options->check,
-                        "A study.csv of before: status 1 when a quantity is off by more than its tolerance "
-                        "in the study file");
-    command->add_flag("--no-picture", options->no_picture, "Do not have weavefront-plot draw study.png");
-    command->callback([options] { study(*options); });
 }
 
 }  // namespace weavefront::app

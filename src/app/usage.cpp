@@ -30,28 +30,18 @@ void refuse_unless_known(std::string_view kind, const std::string& word,
         {fmt::format("{} '{}': unknown, allowed {}{}", kind, word, fmt::join(known, ", "), question)});
 }
 
-std::vector<std::string> long_options(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    }
-    return names;
-}
-
 }  // namespace
 
-void refuse_unknown(const CLI::App& app, std::span<const std::string> arguments) {
-    std::vector<std::string> subcommands;
-    for (const CLI::App* subcommand : app.get_subcommands({})) subcommands.push_back(subcommand->get_name());
-
-    const CLI::App* scope = &app;
+void refuse_unknown(const KnownOptions& known, const std::vector<std::string>& subcommands,
+                    std::span<const std::string> arguments) {
+    std::string scope;
     for (const std::string& argument : arguments) {
         if (argument == "--") return;
         if (argument.starts_with("--")) {
-            refuse_unless_known("option", argument.substr(0, argument.find('=')), long_options(*scope));
-        } else if (scope == &app && !argument.starts_with('-')) {
+            refuse_unless_known("option", argument.substr(0, argument.find('=')), known.at(scope));
+        } else if (scope.empty() && !argument.starts_with('-')) {
             refuse_unless_known("subcommand", argument, subcommands, later_subcommands);
-            scope = app.get_subcommand(argument);
+            scope = argument;
         }
     }
 }

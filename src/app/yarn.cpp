@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,18 +15,11 @@
 #include "launcher.hpp"
 #include "list_option.hpp"
 #include "output_file.hpp"
-#include "overrides_option.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/scene/text.hpp"
 
 namespace weavefront::app {
 namespace {
-
-struct Options {
-    std::filesystem::path scene, out;
-    std::string fabric, rates;
-    std::vector<std::string> overrides;
-};
 
 /// Where the curve of a yarn ends that nothing breaks.
 constexpr double unbroken_strain = 0.05;
@@ -118,7 +110,9 @@ std::vector<double> read_rates(const std::string& list) {
     return rates;
 }
 
-void yarn(const Options& options) {
+}  // namespace
+
+void yarn(const YarnOptions& options) {
     if (!is_first_process()) return;
     const std::vector<double> rates = read_rates(options.rates);
     const scene::Fabric fabric = chosen_fabric(options.scene, options.overrides, options.fabric);
@@ -133,25 +127,6 @@ void yarn(const Options& options) {
         for (const double rate : rates) strain_at<F>(rate, constants, sample, table);
     });
     table.write(options.out);
-}
-
-}  // namespace
-
-void add_yarn(CLI::App& app) {
-    auto* command = app.add_subcommand(
-        "yarn", "Stress-strain curves of one yarn at constant strain rates, up to its failure");
-    auto options = std::make_shared<Options>();
-    command->add_option("SCENE", options->scene, "Scene file (YAML); only its fabrics are read")->required();
-    command->add_option("--rates", options->rates, "Strain rates in 1/s, separated by commas")->required();
-    command
-        ->add_option("--out", options->out,
-                     "CSV to write: rate,time,strain,stress,failure; failure is 0, 19 or 20, the equation of "
-                     "the paper that was met; "
-                     "a fabric without failure is strained to 5 %")
-        ->required();
-    command->add_option("--fabric", options->fabric, "Name of the fabric, where the scene has several");
-    add_overrides(*command, options->overrides);
-    command->callback([options] { yarn(*options); });
 }
 
 }  // namespace weavefront::app

@@ -21,7 +21,10 @@ constexpr double near_in_distance = 0.3;
 
 double clearance(const ClearanceQuery& query, std::int32_t nearest, Shortlist& shortlist, double accumulated,
                  double worthwhile) {
-    const auto& [ply, points, candidates, surface, distances, x] = query;
+    const ContactPoints& points = query.points;
+    const FacetRanges& candidates = query.candidates;
+    const Surface& surface = query.surface;
+    const ContactDistances& distances = query.distances;
     const double beyond =
         distances.max_penetration() - distances.most();  // clearance of facets that are no candidates
     const double near = near_in_distance * distances.most();
@@ -30,10 +33,11 @@ double clearance(const ClearanceQuery& query, std::int32_t nearest, Shortlist& s
     // measured.
     const auto measure = [&](std::int32_t candidate) {
         const auto& other = surface.facets[static_cast<std::size_t>(candidate)];
-        const double reach = (1 + rounding) * distances.between(ply, other.ply),
-                     apart = points.min_distance(NodeBox(x, other.nodes)) - reach;
+        const double reach = (1 + rounding) * distances.between(query.ply, other.ply),
+                     apart = points.min_distance(NodeBox(query.x, other.nodes)) - reach;
         if (apart < clear)
-            clear = std::min(clear, std::max(apart, points.min_distance(corners_of(other.nodes, x)) - reach));
+            clear = std::min(clear,
+                             std::max(apart, points.min_distance(corners_of(other.nodes, query.x)) - reach));
         return apart;
     };
     const auto is_alive = [&](std::int32_t candidate) {
@@ -66,15 +70,17 @@ double clearance(const ClearanceQuery& query, std::int32_t nearest, Shortlist& s
 }
 
 Nearest find_nearest(const ClearanceQuery& query, const Vec3& centre) {
-    const auto& [ply, points, candidates, surface, distances, x] = query;
-    if (candidates.empty() || surface.facets[static_cast<std::size_t>(candidates.back())].ply > ply + 1)
+    const FacetRanges& candidates = query.candidates;
+    const Surface& surface = query.surface;
+    if (candidates.empty() || surface.facets[static_cast<std::size_t>(candidates.back())].ply > query.ply + 1)
         return {};
     Nearest found;
     double nearest = std::numeric_limits<double>::max(), second = nearest;
     for (const auto candidate : candidates) {
         if (!surface.alive[static_cast<std::size_t>(candidate)]) continue;
         const double apart =
-            (centre_of(corners_of(surface.facets[static_cast<std::size_t>(candidate)].nodes, x)) - centre)
+            (centre_of(corners_of(surface.facets[static_cast<std::size_t>(candidate)].nodes, query.x)) -
+             centre)
                 .squaredNorm();
         second = std::min(second, std::max(apart, nearest));
         if (apart >= nearest) continue;

@@ -26,12 +26,16 @@ Overlaps overlaps_of(const RayHits& hits, const PenetrationLanes& points, double
     auto& [overlap, met, matters] = result;
     for (std::size_t i = 0; i < batch_width; ++i) {
         overlap[i] = reach - hits.distance[i];
-        const bool meets = open[i] & hits.hit[i] & (hits.distance[i] >= -depth);
-        open[i] = open[i] & !meets;
+        const bool is_open = open[i], hits_target = hits.hit[i], is_in_front = hits.distance[i] >= -depth;
+        const bool overlapped = points.overlap[i] != 0, overlaps = overlap[i] > 0;
+        const bool meets = is_open & hits_target & is_in_front;
+        open[i] = is_open & !meets;
         // A point that is first seen behind the mid-surface of its master went through a hole. It is not
         // pushed back.
-        met[i] = meets & ((points.overlap[i] != 0) | (overlap[i] <= reach));
-        matters[i] = met[i] & ((points.overlap[i] != 0) | (overlap[i] > 0));
+        const bool is_before_surface = overlap[i] <= reach;
+        const bool is_met = meets & (overlapped | is_before_surface);
+        met[i] = is_met;
+        matters[i] = is_met & (overlapped | overlaps);
     }
     return result;
 }

@@ -75,7 +75,7 @@ class TreeBuilder : public YAML::EventHandler {
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         count(1, at(mark));
-        close({.where = at(mark)}, anchor);
+        close(Value(Value::Kind::null, at(mark)), anchor);
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         const auto known = anchors_.find(anchor);
@@ -87,7 +87,10 @@ class TreeBuilder : public YAML::EventHandler {
                   const std::string& text) override {
         const bool quoted = tag == "!";
         count(1, at(mark));
-        close({.kind = Value::Kind::scalar, .where = at(mark), .text = text, .quoted = quoted}, anchor);
+        Value scalar(Value::Kind::scalar, at(mark));
+        scalar.text = text;
+        scalar.quoted = quoted;
+        close(std::move(scalar), anchor);
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
                          YAML::EmitterStyle::value) override {
@@ -135,7 +138,7 @@ class TreeBuilder : public YAML::EventHandler {
         count(1, at(mark));
         if (open_.size() == most_levels)
             refuse(at(mark), fmt::format("found lists and maps nested deeper than {} levels", most_levels));
-        open_.push_back({{.kind = kind, .where = at(mark)}, std::nullopt, anchor, 1});
+        open_.push_back({Value(kind, at(mark)), std::nullopt, anchor, 1});
     }
 
     void close_top() {
@@ -167,6 +170,8 @@ class TreeBuilder : public YAML::EventHandler {
 };
 
 }  // namespace
+
+Value::Value(Kind kind_of_node, Location location) : kind(kind_of_node), where(std::move(location)) {}
 
 Value parse_document(const std::string& text, const Locate& locate) {
     std::istringstream stream(text);

@@ -15,19 +15,22 @@ struct Entry;
 /// A node of the document.
 struct Value {
     enum class Kind { null, scalar, list, map };
-    Kind kind = Kind::null;
-    Location where = {};
-    std::string text = {};            ///< of a scalar
-    std::vector<Value> items = {};    ///< of a list
-    std::vector<Entry> entries = {};  ///< of a map, as written, after those of merge keys are added
-    bool quoted = false;              ///< of a scalar
+
+    explicit Value(Kind kind_of_node = Kind::null, Location location = {});
+
+    Kind kind;
+    Location where;
+    std::string text;            ///< of a scalar
+    std::vector<Value> items;    ///< of a list
+    std::vector<Entry> entries;  ///< of a map, as written, after those of merge keys are added
+    bool quoted = false;         ///< of a scalar
 };
 
 /// A key of a map and its value.
 struct Entry {
     std::string key;
     Location where;
-    Value value = {};
+    Value value = Value();
     bool left_out = false;  ///< by an override without a value: as if it were not there
     bool quoted = false;
 };

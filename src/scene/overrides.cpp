@@ -60,7 +60,8 @@ Entry* map_entry(Value& map, const std::string& key, bool last, const Cursor& cu
                             "the name of a fabric of the scene", nearest(key, names));
         return nullptr;
     }
-    map.entries.push_back({.key = key, .where = cursor.where, .value = {.where = cursor.where}});
+    map.entries.push_back(
+        {.key = key, .where = cursor.where, .value = Value(Value::Kind::null, cursor.where)});
     return &map.entries.back();
 }
 

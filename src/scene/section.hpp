@@ -202,7 +202,7 @@ class Section {
     template <typename Read>
     auto absent(const Location& where, const std::string& path, std::string_view found, Read read,
                 std::string_view allowed) {
-        static const Value empty{.kind = Value::Kind::map};
+        static const Value empty(Value::Kind::map);
         const bool silent = context_.findings.silent();
         context_.findings.silence(true);
         Section section(empty, where, path, context_);

@@ -216,8 +216,8 @@ Arrived take_in(const ByRank<NodeMessage>& incoming, LocalIndices& indices, Node
         for (const auto& message : incoming[r])
             if (arrived.indices[r].emplace_back(indices.own(message.id)) < 0) ghosts.push_back(message);
     std::ranges::sort(ghosts, {}, &NodeMessage::id);
-    const auto again = std::ranges::unique(ghosts, {}, &NodeMessage::id);
-    ghosts.erase(again.begin(), again.end());
+    const auto is_same = [](const NodeMessage& a, const NodeMessage& b) { return a.id == b.id; };
+    ghosts.erase(std::unique(ghosts.begin(), ghosts.end(), is_same), ghosts.end());
 
     std::vector<std::int64_t> ids;
     nodes.resize_ghosts(ghosts.size());

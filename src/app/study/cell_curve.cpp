@@ -56,7 +56,7 @@ void pass(const fabric::Constants& c, const std::vector<Deformation>& steps, dou
 template <fabric::Features F>
 double shortest_pass(const fabric::Constants& c, const std::vector<Deformation>& steps, double tolerance) {
     double shortest = std::numeric_limits<double>::max(), sum = 0;
-    volatile double kept = 0;  // so that no pass is left out as useless
+    [[maybe_unused]] volatile double kept = 0;  // so that no pass is left out as useless
     for (int passes = 0; passes < 2 || sum < 0.2; ++passes) {
         const auto begin = std::chrono::steady_clock::now();
         pass<F>(c, steps, tolerance,

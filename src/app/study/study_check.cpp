@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-#include "commands.hpp"
 #include "shared_text.hpp"
+#include "stop.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/scene/text.hpp"
 

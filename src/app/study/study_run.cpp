@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "commands.hpp"
 #include "signals.hpp"
+#include "stop.hpp"
 #include "variant_run.hpp"
 #include "weavefront/io/progress.hpp"
 #include "weavefront/parallel/failure.hpp"

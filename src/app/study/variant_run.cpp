@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "commands.hpp"
 #include "deformation_path.hpp"
 #include "impact.hpp"
+#include "stop.hpp"
 #include "test_curves.hpp"
 #include "versions.hpp"
 #include "weavefront/io/output_directory.hpp"

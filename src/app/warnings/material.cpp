@@ -33,7 +33,7 @@ constexpr double most_hourglass = 1;
 
 void warn_of_moduli(const Shot& shot, const scene::Fabric& fabric, Phrases& found) {
     const auto modulus = [&](double value) { return text_of(value, shot.scene.units.modulus); };
-    const auto& [static_modulus, hooke_modulus, viscosity] = fabric.elastic;
+    const double static_modulus = fabric.elastic.static_modulus, hooke_modulus = fabric.elastic.hooke_modulus;
     const bool plausible = static_modulus >= least_modulus && static_modulus <= most_modulus;
     if (!plausible)
         found.push_back(fmt::format("fabric {}: static_modulus is {}, fibres have {} to {}", fabric.name,

@@ -1,6 +1,7 @@
 option(WEAVEFRONT_TESTS "Build the tests" ON)
 option(WEAVEFRONT_WERROR "Treat warnings as errors" ON)
 set(WEAVEFRONT_ARCH native CACHE STRING "Processor to build for, as given to -march: native, x86-64-v3, x86-64-v4")
+option(WEAVEFRONT_COVERAGE "Count the lines that are executed, for gcovr" OFF)
 set(WEAVEFRONT_SANITIZE "" CACHE STRING "Sanitizers to build with, as given to -fsanitize=")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -22,4 +23,8 @@ target_compile_options(weavefront_options INTERFACE
 if(WEAVEFRONT_SANITIZE)
     target_compile_options(weavefront_options INTERFACE -fsanitize=${WEAVEFRONT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(weavefront_options INTERFACE -fsanitize=${WEAVEFRONT_SANITIZE})
+endif()
+if(WEAVEFRONT_COVERAGE)
+    target_compile_options(weavefront_options INTERFACE --coverage)
+    target_link_options(weavefront_options INTERFACE --coverage)
 endif()

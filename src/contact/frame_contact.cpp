@@ -35,7 +35,7 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
             return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x);
         };
         const auto depth = [&](const Vec3& at, const Point&) { return shape.depth(at); };
-        press(pair, x, v, dt, sliding_share, memories_.take(index), depth, of_ply, forces);
+        press(pair, {x, v, dt}, sliding_share, memories_.take(index), depth, of_ply, forces);
     }
 }
 

@@ -12,36 +12,38 @@ namespace {
 
 /// Overlaps of a batch of points with one target.
 struct Overlaps {
-    Lanes overlap;     ///< m; negative: apart
-    LaneMask met;      ///< points whose master is the target
-    LaneMask matters;  ///< those of them that overlap now or did in the last step
+    Lanes overlap;       ///< m; negative: apart
+    LaneMask met;        ///< points whose master is the target
+    LaneMask needs_law;  ///< those of them that overlap now or did in the last step
 };
 
-/// @param open   points without a master; those that meet the target are taken out
-/// @param reach  contact distance, m
+/// @param unassigned points without a master; those that meet the target leave the mask
+/// @param contact_distance m
 /// @param depth  points deeper than this behind the target do not meet it, m
-Overlaps overlaps_of(const RayHits& hits, const PenetrationLanes& points, double reach, double depth,
-                     LaneMask& open) {
+Overlaps overlaps_of(const RayHits& hits, const PenetrationLanes& points, double contact_distance,
+                     double depth, LaneMask& unassigned) {
     Overlaps result;
-    auto& [overlap, met, matters] = result;
+    auto& [overlap, met, needs_law] = result;
     for (std::size_t i = 0; i < batch_width; ++i) {
-        overlap[i] = reach - hits.distance[i];
-        const bool is_open = open[i], hits_target = hits.hit[i], is_in_front = hits.distance[i] >= -depth;
+        overlap[i] = contact_distance - hits.distance[i];
+        const bool was_unassigned = unassigned[i], hits_target = hits.hit[i],
+                   is_in_front = hits.distance[i] >= -depth;
         const bool overlapped = points.overlap[i] != 0, overlaps = overlap[i] > 0;
-        const bool meets = is_open & hits_target & is_in_front;
-        open[i] = is_open & !meets;
+        const bool meets = was_unassigned & hits_target & is_in_front;
+        unassigned[i] = was_unassigned & !meets;
         // A point that is first seen behind the mid-surface of its master went through a hole. It is not
         // pushed back.
-        const bool is_before_surface = overlap[i] <= reach;
+        const bool is_before_surface = overlap[i] <= contact_distance;
         const bool is_met = meets & (overlapped | is_before_surface);
         met[i] = is_met;
-        matters[i] = is_met & (overlapped | overlaps);
+        needs_law[i] = is_met & (overlapped | overlaps);
     }
     return result;
 }
 
-// Rays meet facets at up to 60 deg. A distance along such a ray changes by at most this times the relative
-// motion of the two sides.
+// A distance along a ray changes by at most this times the relative motion of the two sides where the ray
+// meets the facet at up to 60 deg. At a larger angle the rest of the change counts as a jump, which does not
+// press.
 constexpr double stretch_along_ray = 2;
 
 /// Relative motion of the points towards their masters. @param slave, master velocities, m/s
@@ -97,9 +99,10 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t nearest, const Step
     const auto& surface = step.surface;
     const auto& facet = surface.facets[static_cast<std::size_t>(f)];
     const auto& rule = quadrature_.rule(f);
-    const auto corners = corners_of(facet.nodes, step.nodes.x);
-    RaySearch search(targets_, facet, rule, corners, step.normals.of(facet, surface, step.nodes.x),
-                     candidates_.of(f), nearest, surface, distances_, step.nodes.x);
+    RaySearch search(
+        targets_,
+        {facet, rule, corners_of(facet.nodes, step.nodes.x), step.normals.of(facet, surface, step.nodes.x)},
+        candidates_.of(f), nearest, surface, distances_, step.nodes.x);
     pairs_.start();
     auto& dissipated_budget = memory_.dissipated_budget(f);
     Slave slave{.facet = facet,
@@ -108,16 +111,16 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t nearest, const Step
                 .points = memory_.recall(f),
                 .around = {dissipated_budget, step.sliding_share}};
     for (std::size_t b = 0; b < rule.size(); ++b) {
-        auto& points = slave.points[b];
-        auto open = points_of(rule[b]);
-        for (std::size_t k = 0; any(open); ++k) {
+        Batch batch{rule[b], search.rays(b), slave.points[b], points_of(rule[b])};
+        for (std::size_t k = 0; any(batch.unassigned); ++k) {
             const auto target = search.target(k);
             if (!target) break;
-            press_batch(slave, points, rule[b], search.rays(b), k,
-                        surface.facets[static_cast<std::size_t>(*target)], open, step, forces);
+            press_batch(slave, batch, k, surface.facets[static_cast<std::size_t>(*target)], step, forces);
         }
+        // Points without a master lose their penetration.
+        auto& points = batch.points;
         for (std::size_t i = 0; i < batch_width; ++i)
-            if (open[i]) points.overlap[i] = points.ignored[i] = points.opened[i] = 0;
+            if (batch.unassigned[i]) points.overlap[i] = points.ignored[i] = points.opened[i] = 0;
     }
     dissipated_budget += slave.sum.dissipated;
     if (slave.sum.sliding.is_any()) forces.sliding.push_back(slave.sum.sliding.times(slave.area));
@@ -127,31 +130,34 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t nearest, const Step
         memory_.forget(f);
 }
 
-void PlyContact::press_batch(Slave& slave, PenetrationLanes& points, const QuadratureBatch& batch,
-                             const Rays& rays, std::size_t target, const Facet& master, LaneMask& open,
+void PlyContact::press_batch(Slave& slave, Batch& batch, std::size_t target, const Facet& master,
                              const Step& step, ContactForces& forces) {
     const auto& facet = slave.facet;
-    const double reach = distances_.between(facet.ply, master.ply);
+    const auto& quadrature = batch.quadrature;
+    const auto& rays = batch.rays;
+    const double contact_distance = distances_.between(facet.ply, master.ply);
     const auto hits = intersect(rays, corners_of(master.nodes, step.nodes.x));
-    const auto [overlap, met, matters] = overlaps_of(hits, points, reach, distances_.max_penetration(), open);
-    if (!any(matters)) return;
+    const auto [overlap, met, needs_law] =
+        overlaps_of(hits, batch.points, contact_distance, distances_.max_penetration(), batch.unassigned);
+    if (!any(needs_law)) return;
     const auto N = shape_functions(hits.xi, hits.eta);
     const auto motion =
-        relative_motion(interpolate(slave.velocities, batch.N),
+        relative_motion(interpolate(slave.velocities, quadrature.N),
                         interpolate(corners_of(master.nodes, step.nodes.v), N), rays.direction);
     const auto& law = laws_.between(facet.ply, master.ply);
-    const auto pressure =
-        law.advance(points, met, overlap, motion, step.nodes.dt, batch.share, slave.around, slave.sum);
+    const auto pressure = law.advance(batch.points, met, overlap, motion, step.nodes.dt, quadrature.share,
+                                      slave.around, slave.sum);
     PairForce* pair = nullptr;
     for (std::size_t i = 0; i < batch_width; ++i) {
-        slave.in_contact = slave.in_contact || (met[i] && points.overlap[i] > 0);
-        if (met[i] && overlap[i] > reach * forces.deepest.in_thicknesses)
-            forces.deepest.include({overlap[i], overlap[i] / reach, vector_at(rays.origin, i), facet.id});
+        slave.in_contact = slave.in_contact || (met[i] && batch.points.overlap[i] > 0);
+        if (met[i] && overlap[i] > contact_distance * forces.deepest.in_thicknesses)
+            forces.deepest.include(
+                {overlap[i], overlap[i] / contact_distance, vector_at(rays.origin, i), facet.id});
         if (!(pressure[i] > 0)) continue;
         if (!pair) pair = &pairs_.of(target, facet, master, forces.pairs);
-        const double size = -pressure[i] * slave.area * batch.share[i];
+        const double size = -pressure[i] * slave.area * quadrature.share[i];
         const Vec3 force(size * rays.direction.x[i], size * rays.direction.y[i], size * rays.direction.z[i]);
-        pair->add(force, batch.N, N, i);
+        pair->add(force, quadrature.N, N, i);
     }
 }
 

@@ -79,7 +79,7 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
         const auto of_ply = [&] {
             return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x);
         };
-        press(pair, x, v, dt, sliding_share, memories_.take(f), depth, of_ply, forces);
+        press(pair, {x, v, dt}, sliding_share, memories_.take(f), depth, of_ply, forces);
     }
 }
 

@@ -135,7 +135,7 @@ TEST(RaySearch, ListsTheOtherCandidatesOnlyAfterTheNearestOne) {
     const auto corners = contact::corners_of(plies.facet().nodes, plies.x);
     for (const std::int32_t nearest : {n * n + 5, -1}) {
         RayTargets list;
-        contact::RaySearch search(list, plies.facet(), plies.rule, corners, plies.up, lists.of(0), nearest,
+        contact::RaySearch search(list, {plies.facet(), plies.rule, corners, plies.up}, lists.of(0), nearest,
                                   plies.surface, distances, plies.x);
         EXPECT_EQ(list.size(), nearest < 0 ? 4U : 1U);
         std::vector<std::int32_t> tried;

@@ -153,10 +153,10 @@ class PenaltyLaw {
                                                    const Surroundings& around) const {
         const auto approached = approach(before, geometric, motion, dt);
         const auto moved = slide(approached, around.sliding_share);
-        const double stored = recoverable(approached.point), after = recoverable(moved);
+        const double stored = elastic_energy(approached.point), after = elastic_energy(moved);
         // The mean of the pressures at both ends of the step does its work.
         const double work = (elastic_pressure(before) + elastic_pressure(moved)) / 2 * motion.closing * dt;
-        const double dissipated = work - (stored - recoverable(before));
+        const double dissipated = work - (stored - elastic_energy(before));
 
         // Cost of recovery per metre: at most the pressure of first loading at the largest penetration, plus
         // half of the pressure that it adds over the opening of this step.
@@ -165,9 +165,10 @@ class PenaltyLaw {
         const double price = stiffness_ * (moved.present() + std::max(moved.opened, recovery)) +
                              unloading_ * stiffness_ * opening / 2;
         const double affordable = std::max(around.dissipated_budget, 0.0);
-        const auto end = recovered(moved, recovery * price > affordable ? affordable / price : recovery);
+        const auto end =
+            with_less_ignored(moved, recovery * price > affordable ? affordable / price : recovery);
         const double added = elastic_pressure(end) - elastic_pressure(moved);
-        const double cost = recoverable(end) - after + added * opening / 2;
+        const double cost = elastic_energy(end) - after + added * opening / 2;
 
         const double elastic = elastic_pressure(end),
                      pressure = std::max(elastic + damping_ * motion.closing, 0.0);
@@ -175,7 +176,7 @@ class PenaltyLaw {
         const double damped = presses ? (pressure - elastic) * motion.closing * dt : 0.0;
         const SlidingEnergy sliding{share * std::max(stored - after, 0.0),
                                     share * std::max(after - stored, 0.0),
-                                    share * std::max(recoverable(approached.whole()) - stored, 0.0)};
+                                    share * std::max(elastic_energy(approached.whole()) - stored, 0.0)};
         return {{end.overlap, end.ignored, end.present() > 0 ? end.opened : 0.0},
                 {presses ? pressure : 0.0, share * (dissipated + damped - cost), sliding}};
     }
@@ -211,8 +212,8 @@ class PenaltyLaw {
         return {point.overlap, point.overlap - present + refused, point.opened};
     }
 
-    [[nodiscard, gnu::always_inline]] static Penetration recovered(const Penetration& point,
-                                                                   double recovery) {
+    [[nodiscard, gnu::always_inline]] static Penetration with_less_ignored(const Penetration& point,
+                                                                           double recovery) {
         return {point.overlap, point.ignored - recovery, std::max(point.opened - recovery, 0.0)};
     }
 
@@ -221,7 +222,7 @@ class PenaltyLaw {
     }
 
     /// Energy that a point returns when it opens, J/m2.
-    [[nodiscard, gnu::always_inline]] double recoverable(const Penetration& point) const {
+    [[nodiscard, gnu::always_inline]] double elastic_energy(const Penetration& point) const {
         const double pressure = elastic_pressure(point);
         return pressure * pressure / (2 * unloading_ * stiffness_);
     }

@@ -26,8 +26,9 @@ namespace weavefront::contact {
 ///
 /// 1. `Candidates` lists, at a search, the facets that may come within contact distance before the next one.
 /// 2. `CullingSchedule` leaves out slaves that cannot touch a candidate in this step.
-/// 3. `RaySearch` follows a ray from each integration point of a slave, along the smoothed normal of its ply.
-///    The first facet that the ray hits is the master of the point.
+/// 3. `RaySearch` draws a line through each integration point of a slave, along the smoothed normal of its
+///    ply. The line runs forward by the contact distance and backward by `max_penetration`. The master of the
+///    point is the first candidate, in the order of `RayTargets`, that the line hits.
 /// 4. `PenaltyLaw` turns the overlap of a point into a pressure; `PointMemory` keeps its penetration.
 /// 5. `PairForces` shares the pressure out to the nodes of both facets, along the ray on both sides.
 ///    Therefore momentum and angular momentum are conserved.
@@ -39,8 +40,8 @@ class PlyContact {
     PlyContact(const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
                std::span<const Vec3> x);
 
-    /// Searches for candidates. They hold until a node is more than half of `skin` outside of its swept
-    /// bounds in x or y, a facet is eroded or ghosts change.
+    /// Searches for candidates. They hold while every node stays within half of `skin` of its swept bounds in
+    /// x and y, no facet is eroded and the ghosts stay.
     /// @param x    present positions, m
     /// @param skin m
     void update_candidates(const Surface& surface, const SweptBounds& swept, std::span<const Vec3> x,
@@ -86,11 +87,18 @@ class PlyContact {
         ContactResponse sum{};
         bool in_contact = false;
     };
+    /// A batch of points of the slave at hand.
+    struct Batch {
+        const QuadratureBatch& quadrature;
+        const Rays& rays;
+        PenetrationLanes& points;
+        LaneMask unassigned;  ///< points without a master
+    };
     void evaluate_facet(std::int32_t facet, std::int32_t nearest, const Step& step, ContactForces& forces);
-    /// Applies the penalty law to the points of a batch whose rays hit one target, and adds their forces.
-    /// @param open points without a master; those that hit are taken out
-    void press_batch(Slave& slave, PenetrationLanes& points, const QuadratureBatch& batch, const Rays& rays,
-                     std::size_t target, const Facet& master, LaneMask& open, const Step& step,
+    /// Makes a target the master of the unassigned points whose rays hit it. Applies the penalty law to these
+    /// points and adds their forces.
+    /// @param target its number in the RaySearch
+    void press_batch(Slave& slave, Batch& batch, std::size_t target, const Facet& master, const Step& step,
                      ContactForces& forces);
 
     ContactDistances distances_;

@@ -17,31 +17,35 @@
 
 namespace weavefront::contact {
 
-/// Rays of one facet and the targets to try them on, one after the other. A point takes the first target that
-/// its ray hits.
+/// A slave facet at the present positions.
+struct SlaveGeometry {
+    const Facet& facet;
+    const QuadratureRule& rule;
+    std::array<Vec3, 4> corners;  ///< m
+    std::array<Vec3, 4> normals;  ///< of any length
+};
+
+/// Rays of one facet and the targets to try them on, one after the other. The master of a point is the first
+/// target in this order that its ray hits.
 ///
 /// The nearest candidate is nearly always hit by all rays. Therefore the other candidates are listed only
 /// when a ray has missed it.
 class RaySearch {
   public:
-    /// @param targets          scratch for the list of targets, reused from facet to facet
-    /// @param rule             points of the facet
-    /// @param corners, normals of the facet, m and of any length
-    /// @param candidates       of the facet
-    /// @param nearest          the candidate that RayTargets would list first; -1: not known
-    /// @param x                present positions, m
-    RaySearch(RayTargets& targets, const Facet& facet, const QuadratureRule& rule,
-              const std::array<Vec3, 4>& corners, const std::array<Vec3, 4>& normals, FacetRanges candidates,
-              std::int32_t nearest, const Surface& surface, const ContactDistances& distances,
-              std::span<const Vec3> x)
+    /// @param targets    scratch for the list of targets, reused from facet to facet
+    /// @param candidates of the slave
+    /// @param nearest    the candidate that RayTargets would list first; -1: not known
+    /// @param x          present positions, m
+    RaySearch(RayTargets& targets, const SlaveGeometry& slave, FacetRanges candidates, std::int32_t nearest,
+              const Surface& surface, const ContactDistances& distances, std::span<const Vec3> x)
         : targets_(targets),
-          rays_(rule, corners, normals, distances.max_penetration(), distances.most()),
+          rays_(slave.rule, slave.corners, slave.normals, distances.max_penetration(), distances.most()),
           candidates_(candidates),
           surface_(surface),
           distances_(distances),
           x_(x),
           is_complete_(nearest < 0) {
-        targets_.start(facet, corners);
+        targets_.start(slave.facet, slave.corners);
         const FacetRange only_nearest{nearest, 1};
         list(is_complete_ ? candidates_ : FacetRanges({&only_nearest, 1}));
     }

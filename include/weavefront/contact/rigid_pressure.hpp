@@ -11,6 +11,7 @@
 #include "weavefront/contact/contact_forces.hpp"
 #include "weavefront/contact/depth.hpp"
 #include "weavefront/contact/facet_memory.hpp"
+#include "weavefront/contact/nodal_motion.hpp"
 #include "weavefront/contact/penalty.hpp"
 #include "weavefront/contact/push_directions.hpp"
 #include "weavefront/contact/quadrature.hpp"
@@ -49,19 +50,18 @@ void forget_points(FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet
 }
 
 /// Integrates the pressure of a rigid body over the points of a facet.
-/// @param x, v    positions and velocities of the nodes, m, m/s
-/// @param dt      the last step, s
+/// @param nodes   positions and velocities of the nodes over the last step
 /// @param sliding_share see Surroundings
 /// @param depth   function of a position and the state of a point; returns the depth in the body, or none
 /// @param normals function that returns the PlyNormals of the facet; called only if a point is in the body
 /// @param forces  the force and sliding energy of the facet are appended
 template <class Point, class DepthOf, class NormalsOf>
-void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3> v, double dt,
-           double sliding_share, RigidMemory<Point>& memory, DepthOf depth, NormalsOf normals,
-           ContactForces& forces) {
+void press(const RigidPair& pair, const NodalMotion& nodes, double sliding_share, RigidMemory<Point>& memory,
+           DepthOf depth, NormalsOf normals, ContactForces& forces) {
     auto& points = memory.points;
     if (points.empty()) points.resize(pair.rule.size() * batch_width);
-    const auto corners = corners_of(pair.facet.nodes, x), velocities = corners_of(pair.facet.nodes, v);
+    const auto corners = corners_of(pair.facet.nodes, nodes.x),
+               velocities = corners_of(pair.facet.nodes, nodes.v);
     PairForce sum(pair.facet.nodes, pair.body);
     SlidingEnergy sliding;
     std::optional<PushDirections> directions;
@@ -84,7 +84,7 @@ void press(const RigidPair& pair, std::span<const Vec3> x, std::span<const Vec3>
             // The depth is a distance, so its rate is at most the relative speed.
             const RelativeMotion motion{closing, closing * direction.dot(at.normal), relative.norm()};
             const auto response =
-                pair.law.advance(point.penetration, at.depth, motion, dt, batch.share[i], around);
+                pair.law.advance(point.penetration, at.depth, motion, nodes.dt, batch.share[i], around);
             memory.dissipated_budget += response.dissipated;
             sliding.add(response.sliding);
             sum.add(response.pressure * pair.area * batch.share[i] * direction, batch.N, i);

@@ -90,7 +90,8 @@ TEST(GradedLine, OfEqualElementsHasAsManyAsFit) {
     // whatever the rounding of their sum
     for (const double size : {1e-3, 0.7e-3, 0.3e-3, 1.1e-3})
         for (int n = 1; n < 300; ++n)
-            ASSERT_EQ(graded_line(0, n * size, 0, {.center = size, .edge = size, .growth = 1}).size(), n + 1U)
+            ASSERT_EQ(graded_line(0, n * size, 0, {.center = size, .edge = size, .growth = 1}).size(),
+                      static_cast<std::size_t>(n) + 1)
                 << size;
     EXPECT_EQ(graded_line(-0.1, 0.1, 0, {.center = 1e-3, .edge = 1e-3, .growth = 1}).size(), 201U);
 }

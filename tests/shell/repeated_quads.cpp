@@ -20,8 +20,8 @@ std::vector<shell::Quad<double>> random_quads(std::size_t count) {
 }
 
 TEST(RepeatedQuads, ReadBackAsTheyWereFromOnePeriod) {
-    for (const std::size_t repeat : {1, 3, 7, 8, 12, 20})
-        for (const std::size_t count : {1, 5, 8, 24, 61}) {
+    for (const std::size_t repeat : {1U, 3U, 7U, 8U, 12U, 20U})
+        for (const std::size_t count : {1U, 5U, 8U, 24U, 61U}) {
             const auto own = random_quads(repeat);
             std::vector<shell::Quad<double>> quads;
             for (std::size_t i = 0; i < count; ++i) quads.push_back(own[i % repeat]);

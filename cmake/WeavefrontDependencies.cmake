@@ -1,4 +1,10 @@
 # Everything comes from Debian 12's packages; cmake/bootstrap.sh installs them.
+if(WEAVEFRONT_MPI)
+    # Debian names the compilers and the launcher of each MPI, and the HDF5 that was built with it.
+    find_program(MPI_CXX_COMPILER mpicxx.${WEAVEFRONT_MPI} REQUIRED)
+    find_program(MPIEXEC_EXECUTABLE mpiexec.${WEAVEFRONT_MPI} REQUIRED)
+    find_program(HDF5_C_COMPILER_EXECUTABLE h5pcc.${WEAVEFRONT_MPI} REQUIRED)
+endif()
 find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(yaml-cpp REQUIRED)

@@ -71,8 +71,9 @@ std::vector<idx_t> metis_weights(std::span<const std::int32_t> weights, int part
     return scaled;
 }
 
-/// METIS replaces the handler of SIGTERM while it works, and fails on the signal. This class blocks SIGTERM
-/// in this thread until METIS has restored the handler.
+/// METIS replaces the handler of SIGTERM while it works, and fails on the signal. Then it restores the
+/// handler by System V's signal(), for one signal only. This class blocks SIGTERM in this thread meanwhile
+/// and restores the handler as it was.
 class HeldTermination {
   public:
     HeldTermination() {
@@ -80,13 +81,18 @@ class HeldTermination {
         sigemptyset(&termination);
         sigaddset(&termination, SIGTERM);
         pthread_sigmask(SIG_BLOCK, &termination, &before_);
+        sigaction(SIGTERM, nullptr, &action_);
     }
-    ~HeldTermination() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    ~HeldTermination() {
+        sigaction(SIGTERM, &action_, nullptr);
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
     HeldTermination(const HeldTermination&) = delete;
     HeldTermination& operator=(const HeldTermination&) = delete;
 
   private:
     sigset_t before_{};
+    struct sigaction action_ {};
 };
 
 /// Arguments in which calls of METIS differ. Weights are ordered column by column.

@@ -6,7 +6,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from small_run import Program, errors_of
+from small_run import Program, errors_of, variable_of_launcher
 
 SECONDS = 20  # for what takes about seven
 
@@ -28,7 +28,7 @@ def main():
         run = program.command("out")
 
         # A rank whose node lacks the database of units, the first or another, or all.
-        without = ["-x", "UDUNITS2_XML_PATH=/nonexistent"]
+        without = variable_of_launcher(mpiexec, "UDUNITS2_XML_PATH", "/nonexistent")
         cause = "the unit database of udunits2 cannot be read"
         for rank, ranks in ((1, ["-n", "1", *run, ":", "-n", "1", *without, *run]), (0, ["-n", "1", *without, *run, ":", "-n", "2", *run])):
             status, errors = call(mpiexec, *ranks)

@@ -60,6 +60,20 @@ class Program:
         return process
 
 
+def is_open_mpi(mpiexec):
+    return "OpenRTE" in subprocess.run([mpiexec, "--version"], capture_output=True, text=True).stdout
+
+
+def statuses_when_signalled(mpiexec):
+    """What mpirun may return when it passes a signal on and the ranks return 4. That of MPICH sometimes loses their status."""
+    return {4} if is_open_mpi(mpiexec) else {0, 4}
+
+
+def variable_of_launcher(mpiexec, name, value):
+    """Options by which mpirun sets a variable for the ranks of one command."""
+    return ["-x", f"{name}={value}"] if is_open_mpi(mpiexec) else ["-env", name, value]
+
+
 def errors_of(text):
     return [line.removeprefix("weavefront: error: ") for line in text.splitlines() if line.startswith("weavefront: error: ")]
 

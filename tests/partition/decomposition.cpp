@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <numeric>
 #include <stdexcept>
 
@@ -38,6 +39,26 @@ TEST(Decomposition, IsBalancedAndCompact) {
         const auto again = decompose(panel, costs, parts);
         EXPECT_EQ(decomposition.owner, again.owner) << parts;
     }
+}
+
+/// METIS by itself leaves a handler that only one SIGTERM reaches. Schedulers send several.
+TEST(Decomposition, LeavesTheHandlerOfTermination) {
+    static volatile std::sig_atomic_t received = 0;
+    struct sigaction counting {
+    }, before{}, after{};
+    counting.sa_handler = [](int) { received = received + 1; };
+    counting.sa_flags = SA_RESTART;
+    sigaction(SIGTERM, &counting, &before);
+    const auto scene = graded_target();
+    const auto panel = mesh::make_panel(scene);
+    decompose(panel, partition::column_costs(panel, scene), 4);
+    sigaction(SIGTERM, nullptr, &after);
+    ASSERT_EQ(after.sa_handler, counting.sa_handler);
+    ASSERT_EQ(after.sa_flags & static_cast<int>(SA_RESETHAND), 0);
+    std::raise(SIGTERM);
+    std::raise(SIGTERM);
+    EXPECT_EQ(received, 2);
+    sigaction(SIGTERM, &before, nullptr);
 }
 
 TEST(Decomposition, LeavesNoPartEmptyAndNoColumnOut) {

@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "command_line"))
 
-from small_run import Program, errors_of, processes_of, summary  # noqa: E402, F401
+from small_run import Program, errors_of, is_open_mpi, processes_of, statuses_when_signalled, summary  # noqa: E402, F401
 
 # Two plies on a frame that a sphere perforates. Yarns break, elements erode, debris flies, plies touch, the frame is touched.
 PERFORATION = (

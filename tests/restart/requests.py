@@ -7,7 +7,18 @@ import tempfile
 import time
 from pathlib import Path
 
-from perforation import PERFORATION, Program, differences, errors_of, processes_of, start, summary, whole_run
+from perforation import (
+    PERFORATION,
+    Program,
+    differences,
+    errors_of,
+    is_open_mpi,
+    processes_of,
+    start,
+    statuses_when_signalled,
+    summary,
+    whole_run,
+)
 
 
 # Some seconds, so that it does not end before it is asked to leave.
@@ -20,21 +31,31 @@ def wait_for(path, process):
         time.sleep(0.005)
 
 
-def leave(program, output, ranks, request, options=(), environment=None):
+def leave(program, output, ranks, request, environment=None, statuses=None):
     """Starts a run, asks it to leave by `request` and returns the reason that it gives."""
     if environment:
         os.environ.update(environment)
-    process = start(program, output, LONG, ranks, options)
+    process = start(program, output, LONG, ranks, ())
     for name in environment or ():
         del os.environ[name]
     wait_for(program.folder / output / "results.vtkhdf", process)
     request(process)
     text = process.communicate(timeout=60)[1]
-    assert process.returncode == 4, (process.returncode, text)
+    assert process.returncode in (statuses or statuses_when_signalled(program.mpiexec)), (process.returncode, text)
     (error,) = errors_of(text)
     assert (program.folder / output / "checkpoint.h5").exists()
     assert summary(program.folder / output)["status"] == "interrupted"
     return error.split(": a checkpoint was written; to go on: ")[0]
+
+
+def terminate_slowly(process):
+    """Sends SIGTERM to mpirun and keeps a rank from leaving for 4.5 s, longer than Open MPI waits by itself."""
+    rank = processes_of(process)[-1]
+    process.send_signal(signal.SIGTERM)
+    time.sleep(0.3)  # mpirun wakes all ranks first
+    os.kill(rank, signal.SIGSTOP)
+    time.sleep(4.2)
+    os.kill(rank, signal.SIGCONT)
 
 
 def main():
@@ -45,7 +66,7 @@ def main():
         whole = whole_run(program, overrides=LONG)
         requests = {
             "a signal to the last rank": (3, lambda process: os.kill(processes_of(process)[-1], signal.SIGTERM), "SIGTERM received"),
-            "a signal that mpirun passes on": (2, lambda process: process.send_signal(signal.SIGUSR2), "SIGUSR2 received"),
+            "a signal that mpirun passes on": (2, lambda process: process.send_signal(signal.SIGUSR1), "SIGUSR1 received"),
             "interrupt": (1, lambda process: process.send_signal(signal.SIGINT), "SIGINT received"),
             "file": (2, lambda process: (folder / "file/stop").touch(), f"the file {folder / 'file/stop'} was found"),
         }
@@ -54,6 +75,11 @@ def main():
             assert not (folder / output / "stop").exists()
             program.run(output, LONG, 4 - ranks, ["--restart", "auto"])
             assert differences(whole, folder / output) == [], output
+
+        # Open MPI's mpirun passes SIGTERM on 4 s later, waits 4 s more and returns 1.
+        if is_open_mpi(mpiexec):
+            patient = {"OMPI_MCA_odls_base_sigkill_timeout": "4"}
+            assert leave(program, "patient", 2, terminate_slowly, environment=patient, statuses={1}) == "SIGTERM received"
 
         # The end of a Slurm job comes near.
         in_slurm = {"SLURM_JOB_END_TIME": str(int(time.time()) + 3)}

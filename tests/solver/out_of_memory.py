@@ -20,8 +20,9 @@ def main(program, mpiexec, scene):
     assert "weavefront: error: rank 1: out of memory" in done.stderr
 
 
-if "OMPI_COMM_WORLD_RANK" in os.environ:
-    if os.environ["OMPI_COMM_WORLD_RANK"] == "1":
+RANK = os.environ.get("OMPI_COMM_WORLD_RANK", os.environ.get("PMI_RANK"))  # of Open MPI or of MPICH
+if RANK is not None:
+    if RANK == "1":
         resource.setrlimit(resource.RLIMIT_AS, (LITTLE, LITTLE))
     os.execv(sys.argv[1], sys.argv[1:])
 main(*sys.argv[1:])

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "signals.hpp"
@@ -39,7 +40,12 @@ class StudyRun {
   public:
     StudyRun(const scene::Study& study, std::span<const StudyEntry> entries,
              const std::filesystem::path& folder, const parallel::Communicator& comm, io::Log& log)
-        : study_(study), entries_(entries), folder_(folder), comm_(comm), log_(log), work_queue_(comm) {}
+        : study_(study),
+          entries_(entries),
+          folder_(folder),
+          comm_(comm),
+          log_(log),
+          work_queue_(std::in_place, comm) {}
 
     void run() {
         choose_pending();
@@ -48,6 +54,7 @@ class StudyRun {
         for (std::size_t i = 0; i < plan.together && !comm_.any(noted_signal() != 0); ++i)
             compute_together(plan.order[i]);
         compute_side_by_side(plan);
+        work_queue_.reset();  // all ranks are here; after an exception its window would outlive MPI
         raise_failure();
     }
 
@@ -101,7 +108,7 @@ class StudyRun {
             const bool goes_on = !group.any(noted_signal() != 0);
             if (group.rank() == 0)
                 next[0] = goes_on ? static_cast<std::int32_t>(
-                                        std::min<std::int64_t>(work_queue_.next(), std::ssize(pending_)))
+                                        std::min<std::int64_t>(work_queue_->next(), std::ssize(pending_)))
                                   : -1;
             group.broadcast(next);
             if (next[0] < 0 || static_cast<std::size_t>(next[0]) >= rest) return;
@@ -132,9 +139,9 @@ class StudyRun {
     void tell(std::size_t job, double seconds) {
         // In parts of a billion, since the counters are whole numbers.
         const auto done =
-            static_cast<double>(work_queue_.done(std::llround(jobs_[job].cost / total_ * 1e9))) / 1e9;
+            static_cast<double>(work_queue_->done(std::llround(jobs_[job].cost / total_ * 1e9))) / 1e9;
         const double left = done > 0 ? seconds_since(begin_) * (1 - std::min(done, 1.0)) / done : 0;
-        const std::int64_t finished = work_queue_.finished();
+        const std::int64_t finished = work_queue_->finished();
         const std::string name = entries_[pending_[job]].variant.name;
         // Leaders of groups print for themselves; whole lines, so that they do not mix.
         const std::string line = fmt::format("  [{}/{}] {}: {:.2f} s, {} left\n", finished, pending_.size(),
@@ -157,7 +164,7 @@ class StudyRun {
     std::filesystem::path folder_;
     const parallel::Communicator& comm_;
     io::Log& log_;
-    WorkQueue work_queue_;
+    std::optional<WorkQueue> work_queue_;
     std::vector<std::size_t> pending_;  // entries to compute
     std::vector<study::Job> jobs_;      // one each
     double total_ = 0;

@@ -3,6 +3,7 @@ option(WEAVEFRONT_WERROR "Treat warnings as errors" ON)
 set(WEAVEFRONT_ARCH native CACHE STRING "Processor to build for, as given to -march: native, x86-64-v3, x86-64-v4")
 option(WEAVEFRONT_COVERAGE "Count the lines that are executed, for gcovr" OFF)
 set(WEAVEFRONT_MPI "" CACHE STRING "MPI to build with: openmpi, mpich; empty: the default of the system")
+option(WEAVEFRONT_FUZZ "Build the fuzz targets with libFuzzer; needs clang++" OFF)
 set(WEAVEFRONT_SANITIZE "" CACHE STRING "Sanitizers to build with, as given to -fsanitize=")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -21,6 +22,9 @@ target_compile_options(weavefront_options INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
     $<$<BOOL:${WEAVEFRONT_WERROR}>:-Werror>)
+if(WEAVEFRONT_FUZZ)
+    target_compile_options(weavefront_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(WEAVEFRONT_SANITIZE)
     target_compile_options(weavefront_options INTERFACE -fsanitize=${WEAVEFRONT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(weavefront_options INTERFACE -fsanitize=${WEAVEFRONT_SANITIZE})

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <system_error>
 #include <variant>
@@ -17,6 +18,7 @@
 #include "file_checksum.hpp"
 #include "hdf5_collective.hpp"
 #include "hdf5_group_writer.hpp"
+#include "hdf5_reader.hpp"
 #include "weavefront/io/file_error.hpp"
 #include "weavefront/io/new_file.hpp"
 
@@ -115,24 +117,12 @@ void write_columns(const std::string& path, const std::vector<TableBlocks>& tabl
     agreement.settle<FileError>();
 }
 
-/// Rows of a dataset of one dimension.
-template <class T>
-std::vector<T> read_rows(const H5Dataset& dataset, std::int64_t first, std::int64_t count,
-                         const std::string& doing) {
-    std::vector<T> values(static_cast<std::size_t>(count));
-    if (count == 0) return values;
-    const H5Space space(checked(H5Dget_space(dataset.get()), doing));
-    const hsize_t start = extent(first), rows = extent(count);
-    checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, &start, nullptr, &rows, nullptr), doing);
-    const H5Space memory(checked(H5Screate_simple(1, &rows, nullptr), doing));
-    checked(H5Dread(dataset.get(), native_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()),
-            doing);
-    return values;
-}
-
+/// Number of values in a dataset of one dimension.
 std::int64_t rows_of(const H5Dataset& dataset, const std::string& doing) {
-    const H5Space space(checked(H5Dget_space(dataset.get()), doing));
-    return checked(H5Sget_simple_extent_npoints(space.get()), doing);
+    const auto [rows, columns] = extents_of(dataset, doing);
+    if (columns != 1)
+        throw FileError(fmt::format("{} failed: it has {} columns, allowed is 1", doing, columns));
+    return rows;
 }
 
 H5File open_to_read(const std::string& path) {
@@ -277,7 +267,7 @@ class Checkpoint::File {
         Blocks blocks{0, items_of_grain, comm_.size()};
         std::vector<std::string> columns;
         agreement.attempt([&] {
-            blocks.total = number("/" + name, "items");
+            blocks.total = items_of(name);
             if (!ids.empty() && ids.back() >= blocks.total)
                 throw FileError(fmt::format("{} holds {} {}, the scene has more", path_, blocks.total, name));
             columns = names_in("/" + name);
@@ -315,16 +305,10 @@ class Checkpoint::File {
                     doing(where + "@" + name)));
     }
     [[nodiscard]] std::int64_t number(const std::string& where, const std::string& name) const {
-        std::int64_t value = 0;
-        checked(H5Aread(attribute(where, name).get(), H5T_NATIVE_INT64, &value), doing(where + "@" + name));
-        return value;
+        return number_in(attribute(where, name), doing(where + "@" + name));
     }
     [[nodiscard]] std::string text_attribute(const std::string& name) const {
-        const auto from = attribute("/", name);
-        const H5Type type(checked(H5Aget_type(from.get()), doing(name)));
-        std::string value(H5Tget_size(type.get()), '\0');
-        checked(H5Aread(from.get(), type.get(), value.data()), doing(name));
-        return value.substr(0, value.find('\0'));
+        return text_in(attribute("/", name), doing(name));
     }
     [[nodiscard]] std::string text(const std::string& name) const {
         const auto dataset = open_dataset(file_, path_, name);
@@ -367,25 +351,64 @@ class Checkpoint::File {
         }
     }
 
+    /// How many nodes or elements the file holds.
+    [[nodiscard]] std::int64_t items_of(const std::string& name) const {
+        const auto items = number("/" + name, "items");
+        if (items < 0) throw FileError(fmt::format("{} holds {} {}", path_, items, name));
+        return items;
+    }
+
+    [[noreturn]] void refuse_column(const std::string& where) const {
+        throw FileError(
+            fmt::format("{} was changed: {} does not hold the values of its items", path_, where));
+    }
+
+    /// @throws FileError unless each item has as many values
+    void require_values(const std::string& where, std::int64_t per_item, std::int64_t items) const {
+        constexpr auto most = std::numeric_limits<std::int32_t>::max();
+        const auto rows = rows_of(open_dataset(file_, path_, where + "/values"), doing(where));
+        if (per_item == 0 || per_item > most || rows % per_item != 0 || rows / per_item != items)
+            refuse_column(where);
+    }
+
+    /// Values of a dataset of one dimension.
+    template <class T>
+    [[nodiscard]] std::vector<T> one_column(const std::string& name, std::int64_t first,
+                                            std::int64_t count) const {
+        const auto dataset = open_dataset(file_, path_, name);
+        (void)rows_of(dataset, doing(name));
+        return read_rows<T>(dataset, first, count, doing(name));
+    }
+
     /// This rank's block of a column.
     [[nodiscard]] RaggedValues read_block(const std::string& where, const Blocks& blocks) const {
-        const auto first = blocks.begin(comm_.rank()), count = blocks.begin(comm_.rank() + 1) - first;
-        const auto per_item = static_cast<std::int32_t>(number(where, "values_per_item"));
+        const auto per_item = number(where, "values_per_item");
         RaggedValues block;
-        std::int64_t before = first * per_item;
+        std::int64_t before = 0;
         if (per_item >= 0) {
-            block.counts.assign(static_cast<std::size_t>(count), per_item);
+            require_values(where, per_item, blocks.total);
+            const auto first = blocks.begin(comm_.rank()), count = blocks.begin(comm_.rank() + 1) - first;
+            before = first * per_item;
+            block.counts.assign(static_cast<std::size_t>(count), static_cast<std::int32_t>(per_item));
         } else {
-            // Where the values of a block begin follows from all counts before it.
-            const auto counts = read_rows<std::int32_t>(open_dataset(file_, path_, where + "/counts"), 0,
-                                                        first + count, doing(where));
-            before = std::accumulate(counts.begin(), counts.begin() + first, std::int64_t{0});
-            block.counts.assign(counts.begin() + first, counts.end());
+            before = read_counts(where, blocks, block.counts);
         }
         const auto size = std::accumulate(block.counts.begin(), block.counts.end(), std::int64_t{0});
-        block.values =
-            read_rows<double>(open_dataset(file_, path_, where + "/values"), before, size, doing(where));
+        block.values = one_column<double>(where + "/values", before, size);
         return block;
+    }
+
+    /// How many values each item of this rank's block has. @return values before them
+    std::int64_t read_counts(const std::string& where, const Blocks& blocks,
+                             std::vector<std::int32_t>& of_block) const {
+        if (rows_of(open_dataset(file_, path_, where + "/counts"), doing(where)) != blocks.total)
+            refuse_column(where);
+        // Where the values of a block begin follows from all counts before it.
+        const auto first = blocks.begin(comm_.rank()), end = blocks.begin(comm_.rank() + 1);
+        const auto counts = one_column<std::int32_t>(where + "/counts", 0, end);
+        if (std::ranges::any_of(counts, [](std::int32_t count) { return count < 0; })) refuse_column(where);
+        of_block.assign(counts.begin() + first, counts.end());
+        return std::accumulate(counts.begin(), counts.begin() + first, std::int64_t{0});
     }
 
     std::string path_;

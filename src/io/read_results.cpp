@@ -1,6 +1,7 @@
 #include "weavefront/io/read_results.hpp"
 
 #include "hdf5_handle.hpp"
+#include "hdf5_reader.hpp"
 #include "weavefront/io/file_error.hpp"
 
 namespace weavefront::io {
@@ -26,19 +27,7 @@ class ResultsReader::File {
         const QuietHdf5 quiet;
         const std::string doing = path_ + ": reading " + name;
         const H5Dataset data(checked(H5Dopen2(file_.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT), doing));
-        const H5Space space(checked(H5Dget_space(data.get()), doing));
-        std::array<hsize_t, 2> extent{1, 1};
-        const auto dimensions =
-            static_cast<int>(checked(H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr), doing));
-        std::array<hsize_t, 2> start{first, 0}, count{rows, dimensions > 1 ? extent[1] : 1};
-        checked(
-            H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-            doing);
-        const H5Space memory(checked(H5Screate_simple(dimensions, count.data(), nullptr), doing));
-        std::vector<T> values(static_cast<std::size_t>(count[0] * count[1]));
-        checked(H5Dread(data.get(), native_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()),
-                doing);
-        return values;
+        return read_rows<T>(data, static_cast<std::int64_t>(first), static_cast<std::int64_t>(rows), doing);
     }
 
     [[nodiscard]] hsize_t offset(const std::string& name, std::size_t frame) const {
@@ -50,9 +39,7 @@ class ResultsReader::File {
         const std::string doing = path_ + ": reading NSteps";
         const H5Group steps(checked(H5Gopen2(file_.get(), "/VTKHDF/Steps", H5P_DEFAULT), doing));
         const H5Attribute attribute(checked(H5Aopen(steps.get(), "NSteps", H5P_DEFAULT), doing));
-        std::int64_t count = 0;
-        checked(H5Aread(attribute.get(), native_type<std::int64_t>(), &count), doing);
-        return static_cast<hsize_t>(count);
+        return static_cast<hsize_t>(number_in(attribute, doing));
     }
 
     std::string path_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hdf5_handle.hpp"
+#include "hdf5_reader.hpp"
 #include "results_skeleton.hpp"
 #include "weavefront/io/file_error.hpp"
 
@@ -21,24 +22,18 @@ class Existing {
         return H5Dataset(checked(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), doing(name)));
     }
     [[nodiscard]] std::int64_t rows(const H5Dataset& dataset, const std::string& name) const {
-        const H5Space space(checked(H5Dget_space(dataset.get()), doing(name)));
-        return checked(H5Sget_simple_extent_npoints(space.get()), doing(name));
+        return extents_of(dataset, doing(name)).rows;
     }
     template <class T>
     [[nodiscard]] std::vector<T> numbers(const std::string& name) const {
         const auto from = dataset(name);
-        std::vector<T> values(static_cast<std::size_t>(rows(from, name)));
-        checked(H5Dread(from.get(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-                doing(name));
-        return values;
+        return read_rows<T>(from, 0, rows(from, name), doing(name));
     }
     [[nodiscard]] std::int64_t frames() const {
         const H5Attribute count(
             checked(H5Aopen_by_name(file_.get(), "/VTKHDF/Steps", "NSteps", H5P_DEFAULT, H5P_DEFAULT),
                     doing("NSteps")));
-        std::int32_t frames = 0;
-        checked(H5Aread(count.get(), H5T_NATIVE_INT32, &frames), doing("NSteps"));
-        return frames;
+        return number_in(count, doing("NSteps"));
     }
 
   private:

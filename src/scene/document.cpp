@@ -12,6 +12,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "utf8.hpp"
 #include "weavefront/scene/read.hpp"
 #include "weavefront/scene/text.hpp"
 #include "yaml_fault.hpp"
@@ -62,10 +63,33 @@ void merge(Value& map) {
     map.entries = std::move(own);
 }
 
+/// Whether a text that begins with quotes has the quotes that close it. A text that begins otherwise has none
+/// to close.
+bool closes_quotes(std::string_view text) {
+    if (text.empty() || (text.front() != '"' && text.front() != '\'')) return true;
+    const char quote = text.front();
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        const bool escape = quote == '"' && text[i] == '\\';
+        const bool doubled = quote == '\'' && text[i] == quote && i + 1 < text.size() && text[i + 1] == quote;
+        if (escape || doubled)
+            ++i;
+        else if (text[i] == quote)
+            return true;
+    }
+    return false;
+}
+
+/// In characters from 1; yaml-cpp counts bytes.
+int column_of(std::string_view text, const YAML::Mark& mark) {
+    const std::string_view before = text.substr(0, static_cast<std::size_t>(mark.pos));
+    const auto bytes = std::min(before.size(), static_cast<std::size_t>(mark.column));
+    return 1 + characters_in(before.substr(before.size() - bytes));
+}
+
 // yaml-cpp's own nodes drop repeated keys, so the tree is built from its events.
 class TreeBuilder : public YAML::EventHandler {
   public:
-    explicit TreeBuilder(const Locate& locate) : locate_(locate) {}
+    TreeBuilder(std::string_view text, const Locate& locate) : text_(text), locate_(locate) {}
     Value root;
     int documents = 0;
 
@@ -79,7 +103,8 @@ class TreeBuilder : public YAML::EventHandler {
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         const auto known = anchors_.find(anchor);
-        if (known == anchors_.end()) refuse(at(mark), "found an alias inside its own anchor");
+        if (known == anchors_.end())
+            refuse(at(mark), "found an alias inside its own anchor, allowed an alias after it");
         count(known->second.values, at(mark));
         close(Value(known->second.value), 0, known->second.values);
     }
@@ -87,6 +112,7 @@ class TreeBuilder : public YAML::EventHandler {
                   const std::string& text) override {
         const bool quoted = tag == "!";
         count(1, at(mark));
+        if (quoted) last_quoted_ = mark;
         Value scalar(Value::Kind::scalar, at(mark));
         scalar.text = text;
         scalar.quoted = quoted;
@@ -106,6 +132,25 @@ class TreeBuilder : public YAML::EventHandler {
         close_top();
     }
 
+    /// yaml-cpp takes the end of the file for the end of a quoted text, which is the last one then.
+    void require_closed_quotes() {
+        if (last_quoted_.is_null() || closes_quotes(text_.substr(offset_of(last_quoted_)))) return;
+        refuse(at(last_quoted_), "not YAML: a text in quotes is not closed");
+    }
+
+    /// yaml-cpp counts bytes, messages count characters.
+    [[nodiscard]] Location at(const YAML::Mark& mark) {
+        const std::size_t offset = offset_of(mark);
+        if (mark.line != line_ || offset < counted_to_) {
+            line_ = mark.line;
+            counted_to_ = offset - std::min(offset, static_cast<std::size_t>(mark.column));
+            characters_ = 0;
+        }
+        characters_ += characters_in(text_.substr(counted_to_, offset - counted_to_));
+        counted_to_ = offset;
+        return locate_(mark.line + 1, characters_ + 1);
+    }
+
   private:
     struct Open {
         Value value;
@@ -117,27 +162,33 @@ class TreeBuilder : public YAML::EventHandler {
         Value value;
         std::size_t values;
     };
+    std::string_view text_;
     const Locate& locate_;
+    int line_ = -1, characters_ = 0;  // of the last place in the text
+    std::size_t counted_to_ = 0;
+    YAML::Mark last_quoted_ = YAML::Mark::null_mark();
     std::vector<Open> open_;
     std::map<YAML::anchor_t, Anchored> anchors_;
     std::size_t values_ = 0;
 
-    [[nodiscard]] Location at(const YAML::Mark& mark) const {
-        return locate_(mark.line + 1, mark.column + 1);
+    [[nodiscard]] std::size_t offset_of(const YAML::Mark& mark) const {
+        return std::min(static_cast<std::size_t>(mark.pos), text_.size());
     }
 
     void count(std::size_t values, const Location& where) {
         values_ += values;
         if (values_ > most_values)
-            refuse(where, fmt::format("found more than {} values, those that aliases repeat among them, "
-                                      "allowed at most so many",
-                                      most_values));
+            refuse(where,
+                   fmt::format("found more than {0} values, repeated aliases included, allowed at most {0}",
+                               most_values));
     }
 
     void open(const YAML::Mark& mark, Value::Kind kind, YAML::anchor_t anchor) {
         count(1, at(mark));
         if (open_.size() == most_levels)
-            refuse(at(mark), fmt::format("found lists and maps nested deeper than {} levels", most_levels));
+            refuse(at(mark),
+                   fmt::format("found lists and maps nested deeper than {0} levels, allowed at most {0}",
+                               most_levels));
         open_.push_back({Value(kind, at(mark)), std::nullopt, anchor, 1});
     }
 
@@ -175,13 +226,14 @@ Value::Value(Kind kind_of_node, Location location) : kind(kind_of_node), where(s
 
 Value parse_document(const std::string& text, const Locate& locate) {
     std::istringstream stream(text);
-    TreeBuilder builder(locate);
+    TreeBuilder builder(text, locate);
     try {
         YAML::Parser parser(stream);
         while (parser.HandleNextDocument(builder)) {
         }
+        builder.require_closed_quotes();
     } catch (const YAML::Exception& error) {
-        const YamlFault fault = yaml_fault(text, error.msg, error.mark.line + 1, error.mark.column + 1);
+        const YamlFault fault = yaml_fault(text, error.msg, error.mark.line + 1, column_of(text, error.mark));
         refuse(locate(fault.line, fault.column), "not YAML: " + fault.what);
     }
     return std::move(builder.root);

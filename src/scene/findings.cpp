@@ -9,12 +9,16 @@
 #include <utility>
 
 #include "weavefront/scene/read.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 
 namespace {
 
 constexpr std::size_t most_shown = 20, most_kept = 1000;
+
+// Characters of a message, which lists a hundred names at most.
+constexpr std::size_t most_of_message = 3000;
 
 std::vector<std::string> first_of(const std::vector<std::string>& messages, std::size_t more) {
     const auto count = std::min(messages.size(), most_shown);
@@ -34,7 +38,7 @@ std::vector<std::string> InputError::shown() const { return first_of(messages_, 
 
 void MessageList::add(std::string message) {
     if (messages_.size() < most_kept)
-        messages_.push_back(std::move(message));
+        messages_.push_back(printable(message, most_of_message));
     else
         ++more_;
 }
@@ -50,7 +54,8 @@ void Findings::add(const Location& where, std::string_view path, std::string_vie
     if (full()) return count(1);
     const std::string_view separator = path.empty() ? "" : ": ";
     findings_.push_back(
-        {where.line, where.column, fmt::format("{}: {}{}{}", where.text, path, separator, what)});
+        {where.line, where.column,
+         printable(fmt::format("{}: {}{}{}", where.text, path, separator, what), most_of_message)});
 }
 
 void Findings::add(const Location& where, std::string_view path, std::string_view found,

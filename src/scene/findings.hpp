@@ -18,7 +18,7 @@ struct Location {
 /// Collects findings and throws them at once, in the order of the file.
 class Findings {
   public:
-    /// Notes one finding, `where: path: what`.
+    /// Notes one finding, `where: path: what`, as one line of bounded length in which all can be seen.
     void add(const Location& where, std::string_view path, std::string_view what);
 
     /// Notes `found ..., allowed ...[, did you mean 'hint'?]`. An empty `hint` is left out.

@@ -1,6 +1,7 @@
 #include "weavefront/scene/nearest.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 namespace weavefront::scene {
@@ -25,6 +26,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return d[a.size()][b.size()];
 }
 
+std::string in_lower_case(std::string_view word) {
+    std::string lower(word);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    return lower;
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> names) {
@@ -32,7 +39,7 @@ std::string nearest(std::string_view word, std::span<const std::string> names) {
     if (word.size() > longest_word) return best;
     std::size_t least = word.size() + 1;
     for (const std::string& name : names) {
-        const std::size_t distance = edit_distance(word, name);
+        const std::size_t distance = edit_distance(in_lower_case(word), in_lower_case(name));
         const std::size_t near = std::max<std::size_t>(1, std::max(word.size(), name.size()) / 3);
         if (distance <= near && distance < std::min(least, name.size())) {
             least = distance;

@@ -129,7 +129,7 @@ void apply_overrides(Value& root, const std::vector<std::string>& overrides, Fin
         }
         const std::size_t equals = text.find('=');
         if (equals == text.npos || equals == 0) {
-            findings.add(where, "", "no PATH=VALUE", "such as --set projectile.mass='2.8 g'");
+            findings.add(where, "", "no PATH=VALUE", "an assignment, such as projectile.mass='2.8 g'");
             continue;
         }
         place_text(root, text.substr(0, equals), text.substr(equals + 1), where, findings);

@@ -42,9 +42,8 @@ Scene read_parts(Section& root, Need need) {
                    }).value_or(scene.output);
 
     root.refuse_if(root.has_map("fabrics") && scene.fabrics.empty(), "fabrics", "at least one fabric");
-    const bool other_fault = root.has("contact") && !root.has_map("contact");
-    root.refuse_if(scene.projectile && !scene.contact.projectile && !other_fault, "contact",
-                   "a map with the key projectile, since there is a projectile");
+    root.refuse_if(scene.projectile && !root.has("contact"), "contact",
+                   "a map with the key projectile, since there is a projectile, such as {projectile: {}}");
     root.options_of_run({"checkpoint", "restart"});
     root.unavailable({"subcycling"});
     return scene;

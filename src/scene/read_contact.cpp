@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "parts.hpp"
@@ -6,6 +8,7 @@ namespace weavefront::scene {
 namespace {
 
 constexpr Range fraction{0, true, 1, " from 0 to 1"};
+constexpr Range point_spacing{0, false, unbounded, " greater than 0 or the word nodes", "'0.25 mm'"};
 
 ContactLaw read_law(Section& section, const ContactLaw& otherwise) {
     ContactLaw law;
@@ -33,9 +36,13 @@ std::optional<double> read_point_spacing(Section& section, const Target* target,
     constexpr double most_along_edge =
         1000;  // far below what a projectile's edge resolves, and memory of every point
     if (section.says("spacing", "nodes")) return std::nullopt;
-    const double spacing = section.quantity("spacing", length, positive, default_spacing(target, projectile));
-    section.refuse_if(target != nullptr && spacing < target->mesh.edge / most_along_edge, "spacing",
-                      "at least a thousandth of the elements at the edge (target.mesh.edge)");
+    const double spacing =
+        section.quantity("spacing", length, point_spacing, default_spacing(target, projectile));
+    if (target == nullptr) return spacing;
+    const double finest = target->mesh.edge / most_along_edge;
+    section.refuse_if(spacing < finest, "spacing",
+                      fmt::format("at least {}, a thousandth of target.mesh.edge",
+                                  at_least_text(finest, section.unit_of("spacing", length))));
     return spacing;
 }
 
@@ -48,12 +55,14 @@ Contact read_contact(Section& section, const Target* target, const Projectile* p
     const ContactLaw plies{.stiffness = 1.1e13, .unloading = 10, .damping = 0.2};
     contact.spacing = read_point_spacing(section, target, projectile);
     contact.projectile = section.optional("projectile", [&](Section& law) { return read_law(law, rigid); });
+    section.refuse_if(projectile != nullptr && !section.has("projectile"), "projectile",
+                      "a map, such as {}, since there is a projectile");
     contact.plies = section.optional("plies", [&](Section& law) { return read_law(law, plies); });
     contact.frame =
         section.optional("frame", [&](Section& law) { return read_law(law, rigid); }).value_or(rigid);
     const bool has_frame = target != nullptr && target->frame;
     section.refuse_if(!has_frame && section.has("frame"), "frame",
-                      "only with an edge that rests on the frame (target.edges)");
+                      "only with an edge that rests on the frame, such as target.edges: {x: frame}");
     section.unavailable({"friction"});
     return contact;
 }

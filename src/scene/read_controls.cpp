@@ -32,10 +32,14 @@ Output read_output(Section& section, double end) {
     output.fields =
         section.choices("fields", field_names, {Field::displacement, Field::stress, Field::broken});
     std::ranges::sort(output.fields);
-    section.refuse_if(output.interval > end, "interval", "at most the end of the run");
+    const auto at_most_end = [&](std::string_view key) {
+        return fmt::format("at most {}, time.end", at_most_text(end, section.unit_of(key, duration)));
+    };
+    section.refuse_if(output.interval > end, "interval", at_most_end("interval"));
     section.refuse_if(output.interval > 0 && end / output.interval > most_frames, "interval",
-                      "0 or at least a millionth of the run");
-    section.refuse_if(output.history > end, "history", "at most the end of the run");
+                      fmt::format("0 or at least {}, a millionth of time.end",
+                                  at_least_text(end / most_frames, section.unit_of("interval", duration))));
+    section.refuse_if(output.history > end, "history", at_most_end("history"));
     section.options_of_run({"checkpoint"});
     return output;
 }

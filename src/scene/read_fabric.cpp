@@ -1,21 +1,27 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "parts.hpp"
+#include "weavefront/scene/text.hpp"
 
 namespace weavefront::scene {
 namespace {
 
 constexpr double diagonal = std::numbers::pi / 4;
-constexpr Range strain{0, false, 1, " greater than 0 and at most 100 %"};
+constexpr Range strain{0, false, 1, " greater than 0 and at most 100 %", "'0.03' or '3 %'"};
+const MessageUnit degrees{"deg", std::numbers::pi / 180};
 
 Yarn read_yarn(Section& section) {
     Yarn yarn;
     yarn.span = section.quantity("span", length, positive);
     yarn.area = section.quantity("area", area, positive);
     yarn.width = section.quantity("width", length, positive);
-    section.refuse_if(yarn.width >= yarn.span, "width", "less than the span");
+    section.refuse_if(
+        yarn.width >= yarn.span, "width",
+        fmt::format("less than the span, {}", text_of(yarn.span, section.unit_of("width", length), 6)));
     return yarn;
 }
 
@@ -24,8 +30,10 @@ Elastic read_elastic(Section& section) {
     elastic.static_modulus = section.quantity("static_modulus", modulus, positive);
     elastic.hooke_modulus = section.quantity("hooke_modulus", modulus, positive);
     elastic.viscosity = section.quantity("viscosity", viscosity, non_negative, 0);
-    section.refuse_if(elastic.hooke_modulus <= elastic.static_modulus, "hooke_modulus",
-                      "more than static_modulus");
+    section.refuse_if(
+        elastic.hooke_modulus <= elastic.static_modulus, "hooke_modulus",
+        fmt::format("more than static_modulus, {}",
+                    text_of(elastic.static_modulus, section.unit_of("hooke_modulus", modulus), 6)));
     return elastic;
 }
 
@@ -46,8 +54,9 @@ Lateral read_lateral(Section& section, const Yarn& yarn) {
     lateral.transition = section.quantity("transition", angle, positive);
     section.refuse_if(lateral.locking_angle <= 0 || lateral.locking_angle >= diagonal, "locking_angle",
                       "an angle greater than 0 deg and less than 45 deg");
-    section.refuse_if(lateral.locking_angle > 0 && lateral.transition >= lateral.locking_angle, "transition",
-                      "less than the locking angle");
+    section.refuse_if(
+        lateral.locking_angle > 0 && lateral.transition >= lateral.locking_angle, "transition",
+        fmt::format("less than the locking angle, {}", text_of(lateral.locking_angle, degrees, 6)));
     return lateral;
 }
 
@@ -95,11 +104,12 @@ std::vector<Fabric> read_fabrics(Section& section) {
     constexpr std::size_t most_fabrics = 1000;
     std::vector<Fabric> fabrics;
     const std::vector<std::string> names = section.keys();
-    section.require_at_most(names.size(), most_fabrics, "fabrics");
+    section.require_at_most("", names.size(), most_fabrics, "fabrics");
     for (const std::string& name : names) {
         // The paths of overrides and messages have dots between keys.
-        section.refuse_if(name.empty() || name.find_first_of(".=") != name.npos, name,
-                          "a name without '.' and '='");
+        if (name.empty() || name.find_first_of(".=") != name.npos)
+            section.refuse(name, fmt::format("the name '{}'", printable(name)),
+                           "a name of at least one letter without '.' and '='");
         fabrics.push_back(section.required(name, read_fabric));
         fabrics.back().name = name;
     }

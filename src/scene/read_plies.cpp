@@ -11,6 +11,7 @@ namespace weavefront::scene {
 namespace {
 
 constexpr std::int64_t most_plies = 10000;
+constexpr std::string_view fabric_of_scene = "the name of a fabric of the scene";
 
 // What the plies of a target have in common while they are read.
 struct Stack {
@@ -24,12 +25,12 @@ struct Stack {
 };
 
 std::int32_t read_fabric_name(Section& section, const Stack& stack) {
-    const std::string name = section.text("fabric");
+    const std::string name = section.text("fabric", {}, fabric_of_scene);
     const auto found = std::ranges::find(stack.names, name);
     if (found != stack.names.end()) return static_cast<std::int32_t>(found - stack.names.begin());
     // Where no fabric could be read that is the fault, not the name.
     const bool wrong = section.has_text("fabric") && !stack.names.empty();
-    section.refuse_if(wrong, "fabric", "the name of a fabric of the scene", nearest(name, stack.names));
+    section.refuse_if(wrong, "fabric", fabric_of_scene, nearest(name, stack.names));
     return -1;
 }
 
@@ -52,7 +53,7 @@ double read_spacing(Section& section, const Stack& stack, std::int32_t fabric, s
     };
     const double touching = (thickness(before) + thickness(fabric)) / 2;
     if (section.has("gap")) {
-        section.refuse_if(section.has("spacing"), "gap", "either spacing or gap");
+        section.refuse_if(section.has("spacing"), "gap", "none beside spacing");
         return touching + section.quantity("gap", length, non_negative);
     }
     const double spacing = section.quantity("spacing", length, positive, touching);
@@ -74,7 +75,7 @@ std::vector<Ply> read_equal_plies(Section& section, const Stack& stack) {
 
 std::vector<Ply> read_listed_plies(Section& target, const Stack& stack) {
     std::optional<std::int32_t> before;
-    target.require_at_most(target.raw("plies")->value.items.size(), most_plies, "plies");
+    target.require_at_most("plies", target.raw("plies")->value.items.size(), most_plies, "plies");
     return target.list("plies", [&](Section& section) {
         Ply ply = read_ply(section, stack);
         if (before) {

@@ -18,11 +18,15 @@ double steel_length(const Projectile& projectile) {
 
 void read_cylinder(Section& section, Projectile& projectile) {
     projectile.edge_radius = section.quantity("edge_radius", length, non_negative, 0);
-    section.refuse_if(projectile.edge_radius > projectile.diameter / 2, "edge_radius",
-                      "at most half the diameter");
+    section.refuse_if(
+        projectile.edge_radius > projectile.diameter / 2, "edge_radius",
+        fmt::format("at most {}, half the diameter",
+                    at_most_text(projectile.diameter / 2, section.unit_of("edge_radius", length))));
     projectile.length = section.quantity("length", length, positive, steel_length(projectile));
-    section.refuse_if(projectile.length < 2 * projectile.edge_radius, "length",
-                      "at least twice the edge radius");
+    section.refuse_if(
+        projectile.length < 2 * projectile.edge_radius, "length",
+        fmt::format("at least {}, twice the edge radius",
+                    at_least_text(2 * projectile.edge_radius, section.unit_of("length", length))));
 }
 
 // The shot must start in front of the target, hit it, and lie in the planes of symmetry.

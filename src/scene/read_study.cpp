@@ -29,7 +29,7 @@ class Reader {
     Study read(const std::function<Vocabulary(Compute)>& vocabulary) {
         Study study;
         study.title = root_.text("title", "");
-        study.scene = beside(root_.text("scene"));
+        study.scene = beside(root_.text("scene", {}, "the path of a scene"));
         study.compute = root_.choice("compute", compute_names, Compute::impact);
         words_ = vocabulary(study.compute);
         if (const Entry* set = root_.raw("set")) study.set = read_settings(set->value, "set", context_);
@@ -116,7 +116,7 @@ class Reader {
         }
         if (section.has("file")) {
             reference.kind = Reference::Kind::file;
-            reference.file = beside(section.text("file"));
+            reference.file = beside(section.text("file", {}, "the path of a table"));
             ++given;
         }
         const std::vector<std::string> keys = section.keys();
@@ -137,7 +137,7 @@ class Reader {
         root_.refuse_if(!list, "quantities",
                         "a list, such as [residual_velocity, {history: projectile_vz, norm: l2}]");
         if (!list) return quantities;
-        root_.require_at_most(entry->value.items.size(), most_quantities, "quantities");
+        root_.require_at_most("quantities", entry->value.items.size(), most_quantities, "quantities");
         for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
             const Value& item = entry->value.items[i];
             const std::string path = fmt::format("quantities.{}", i);
@@ -205,7 +205,7 @@ class Reader {
                 const bool quantities_known = std::ranges::all_of(
                     names, [&](const std::string& name) { return could_be_quantity(name); });
                 const std::vector<std::string> keys = section.keys();
-                section.require_at_most(keys.size(), most_quantities, "tolerances");
+                section.require_at_most("", keys.size(), most_quantities, "tolerances");
                 for (const std::string& key : keys) {
                     // Where a quantity is mistyped, the tolerance of what was meant is not a fault of its
                     // own.

@@ -15,7 +15,9 @@ PanelMesh read_mesh(Section& section) {
     mesh.center = section.quantity("center", length, positive);
     mesh.edge = section.quantity("edge", length, positive, mesh.center);
     mesh.growth = section.quantity("growth", ratio, at_least_one, 1.08);
-    section.refuse_if(mesh.center > mesh.edge, "center", "at most the element size at the edge");
+    section.refuse_if(mesh.center > mesh.edge, "center",
+                      fmt::format("at most {}, the element size at the edge",
+                                  at_most_text(mesh.edge, section.unit_of("center", length))));
     section.unavailable({"file", "type", "radial", "import"});
     return mesh;
 }
@@ -31,7 +33,7 @@ std::optional<Frame> read_frame(Section& target, const std::array<Edge, 2>& edge
                                 const std::array<double, 2>& size) {
     const bool rests = edges[0] == Edge::frame || edges[1] == Edge::frame;
     target.refuse_if(!rests && target.has("frame"), "frame",
-                     "a frame where an edge rests on it: edges: {x: frame} or {y: frame}");
+                     "only with an edge that rests on it, such as edges: {x: frame}");
     if (!rests) return std::nullopt;
     return target.required("frame", [&](Section& section) {
         Frame frame;
@@ -90,8 +92,9 @@ Target read_target(Section& section, std::span<const Fabric> fabrics) {
         return mesh;
     });
     const double nodes = nodes_of_ply(target);
-    section.refuse_if(nodes > most_nodes, "mesh",
-                      fmt::format("sizes that give at most {} nodes a ply, not {:.3g}", most_nodes, nodes));
+    if (nodes > most_nodes)
+        section.refuse("mesh", fmt::format("sizes that give {:.3g} nodes a ply", nodes),
+                       fmt::format("at most {:.0f}", most_nodes));
     section.unavailable({"file"});
     return target;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view later_version = "not available in this version";
 
 std::string allowed_quantity(const Dimension& dimension, const Range& range) {
-    return fmt::format("{}{}, such as '{}'", dimension.name, range.text,
+    return fmt::format("{}{}, such as {}", dimension.name, range.text,
                        range.example.empty() ? dimension.example : range.example);
 }
 
@@ -132,14 +132,15 @@ std::int64_t Section::count(std::string_view key, std::int64_t high) {
     return 1;
 }
 
-std::string Section::text(std::string_view key, std::optional<std::string> otherwise) {
+std::string Section::text(std::string_view key, std::optional<std::string> otherwise,
+                          std::string_view allowed) {
     const Entry* found = entry(key);
     if (found == nullptr) {
-        if (!otherwise) context_.findings.add(where_, inside(key), "nothing", "text");
+        if (!otherwise) context_.findings.add(where_, inside(key), "nothing", allowed);
     } else if (found->value.kind == Value::Kind::scalar) {
         return found->value.text;
     } else {
-        context_.findings.add(found->value.where, inside(key), describe(found->value), "text");
+        context_.findings.add(found->value.where, inside(key), describe(found->value), allowed);
     }
     return otherwise.value_or("");
 }
@@ -212,16 +213,17 @@ void Section::options_of_run(std::initializer_list<std::string_view> keys) {
         "no key of a scene: options of weavefront run are --checkpoint-every, --walltime and --restart");
 }
 
+const Location& Section::place_of(const Entry* entry) const {
+    if (entry == nullptr) return where_;
+    const bool map = entry->value.kind == Value::Kind::map;  // begins on the line after its key, often
+    return map ? entry->where : entry->value.where;
+}
+
 void Section::refuse_if(bool refused, std::string_view key, std::string_view allowed, std::string_view hint) {
     if (!refused) return;
     const Entry* found = entry(key);
-    if (found == nullptr) {
-        context_.findings.add(where_, inside(key), "nothing", allowed, hint);
-    } else {
-        const bool map = found->value.kind == Value::Kind::map;  // begins on the line after its key, often
-        context_.findings.add(map ? found->where : found->value.where, inside(key), describe(found->value),
-                              allowed, hint);
-    }
+    context_.findings.add(place_of(found), inside(key), found == nullptr ? "nothing" : describe(found->value),
+                          allowed, hint);
 }
 
 void Section::refuse_item_if(bool refused, std::string_view key, std::size_t item, std::string_view allowed) {
@@ -232,10 +234,17 @@ void Section::refuse_item_if(bool refused, std::string_view key, std::size_t ite
     context_.findings.add(value.where, fmt::format("{}.{}", inside(key), item), describe(value), allowed);
 }
 
-void Section::require_at_most(std::size_t found, std::size_t most, std::string_view of) {
+void Section::refuse(std::string_view key, std::string_view found, std::string_view allowed) {
+    context_.findings.add(place_of(entry(key)), inside(key), found, allowed);
+}
+
+void Section::require_at_most(std::string_view key, std::size_t found, std::size_t most,
+                              std::string_view of) {
     if (found <= most) return;
     context_.findings.silence(false);
-    context_.findings.add(where_, path_, fmt::format("{} {}", found, of), fmt::format("at most {}", most));
+    const Location& where = key.empty() ? where_ : entry(key)->value.where;
+    context_.findings.add(where, key.empty() ? path_ : inside(key), fmt::format("{} {}", found, of),
+                          fmt::format("at most {}", most));
     context_.findings.raise();
 }
 

@@ -36,7 +36,7 @@ inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 inline constexpr Range any_value{-unbounded, true, unbounded, ""};
 inline constexpr Range positive{0, false, unbounded, " greater than 0"};
 inline constexpr Range non_negative{0, true, unbounded, " of at least 0"};
-inline constexpr Range at_least_one{1, true, unbounded, " of at least 1", "1.5 or 150 %"};
+inline constexpr Range at_least_one{1, true, unbounded, " of at least 1", "'1.5' or '150 %'"};
 
 /// What all sections of a scene share.
 struct Context {
@@ -81,8 +81,9 @@ class Section {
     /// A whole number from 1 to `high`.
     std::int64_t count(std::string_view key, std::int64_t high);
 
-    /// Text. @param otherwise its default; absent: the key is required
-    std::string text(std::string_view key, std::optional<std::string> otherwise = {});
+    /// Text. @param otherwise its default; absent: the key is required @param allowed what it is, in messages
+    std::string text(std::string_view key, std::optional<std::string> otherwise = {},
+                     std::string_view allowed = "text");
 
     /// One of a table of names. @param later names that a later version will serve, refused as such
     template <typename Table>
@@ -151,13 +152,18 @@ class Section {
     /// @param allowed what would have been
     void refuse_if(bool refused, std::string_view key, std::string_view allowed, std::string_view hint = {});
 
-    /// The same about an item of the list under a key; about the list where it has no such item.
+    /// Notes a finding about the value of a key in words of its own: where a bound is of what follows from
+    /// the value.
+    void refuse(std::string_view key, std::string_view found, std::string_view allowed);
+
+    /// `refuse_if` about an item of the list under a key; about the list where it has no such item.
     void refuse_item_if(bool refused, std::string_view key, std::size_t item, std::string_view allowed);
 
     /// Ends the reading, with all findings up to here, where there is more than anybody means: reading on
     /// might take for ever.
+    /// @param key whose value is counted; empty: this section itself
     /// @param of what is counted @throws InputError when `found` is more than `most`
-    void require_at_most(std::size_t found, std::size_t most, std::string_view of);
+    void require_at_most(std::string_view key, std::size_t found, std::size_t most, std::string_view of);
 
     /// The unit that the value of a key has, or else the one that the scene uses for that dimension: for
     /// bounds in messages.
@@ -175,6 +181,8 @@ class Section {
     std::vector<std::string> known_;
 
     const Entry* entry(std::string_view key);
+    /// Of a value, or of the section where there is none.
+    [[nodiscard]] const Location& place_of(const Entry* entry) const;
     void refuse_all(std::initializer_list<std::string_view> keys, std::string_view reason);
     [[nodiscard]] std::string inside(std::string_view key) const;
     double read_quantity(const Value& value, const std::string& path, const Dimension& dimension,

@@ -14,7 +14,7 @@ YarnTest read_yarn(Section& section) {
 
 CellTest read_cell(Section& section, const std::filesystem::path& folder) {
     CellTest test;
-    test.path = (folder / section.text("path")).lexically_normal();
+    test.path = (folder / section.text("path", {}, "the path of a table of deformations")).lexically_normal();
     if (section.has("refinement")) test.refinement = section.count("refinement", most_steps);
     test.crimp_tolerance = section.quantity("crimp_tolerance", ratio, part, test.crimp_tolerance);
     return test;

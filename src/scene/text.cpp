@@ -17,10 +17,13 @@
 namespace weavefront::scene {
 namespace {
 
+// Characters of a path in messages.
+constexpr std::size_t most_of_path = 300;
+
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason) {
-    throw InputError({fmt::format("{}: cannot be read: {}", path.string(), reason)});
+    throw InputError({fmt::format("{}: cannot be read: {}", printable(path.string(), most_of_path), reason)});
 }
 
 // A pipe or a device may have no end, or make the program wait for ever.
@@ -52,12 +55,12 @@ std::string read_text(const std::filesystem::path& path, std::size_t most) {
         file.read(part.data(), std::ssize(part));
         text.append(part.data(), static_cast<std::size_t>(file.gcount()));
         if (text.size() > most)
-            throw InputError({fmt::format("{}: found a file of more than {} bytes, allowed at most so many",
-                                          path.string(), most)});
+            throw InputError({fmt::format("{0}: found a file of more than {1} bytes, allowed at most {1}",
+                                          printable(path.string(), most_of_path), most)});
     } while (file);
     if (file.bad()) refuse(path, std::strerror(errno));
     if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-    require_text(text, path.string());
+    require_text(text, printable(path.string(), most_of_path));
     return text;
 }
 
@@ -88,10 +91,7 @@ std::string place_in(std::string_view text, std::size_t offset) {
     text = text.substr(0, offset);
     const auto line = 1 + std::ranges::count(text, '\n');
     const auto start = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
-    const auto begins_character = [](char byte) {
-        return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80;
-    };
-    return fmt::format("{}:{}", line, 1 + std::ranges::count_if(text.substr(start), begins_character));
+    return fmt::format("{}:{}", line, 1 + characters_in(text.substr(start)));
 }
 
 std::string printable(std::string_view text, std::size_t most) {

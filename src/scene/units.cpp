@@ -161,6 +161,10 @@ Quantity Units::read(std::string_view text, const Dimension& wanted) const {
     Quantity quantity = convert(number, unit, wanted);
     quantity.unit = unit;
     if (quantity.problem.empty()) return quantity;
+    if (unit[0] == ',' && quantity.nearest.empty()) {
+        const std::string meant = fmt::format("{}.{}", number, unit.substr(1));
+        if (read(meant, wanted).problem.empty()) quantity.nearest = meant;
+    }
     if (const auto meant = written_out(unit);
         !meant.empty() && convert(number, meant, wanted).problem.empty())
         quantity.nearest = fmt::format("{} {}", number, meant);

@@ -17,24 +17,24 @@ namespace weavefront::scene {
 struct Dimension {
     std::string_view name;     ///< with its article, as messages say it
     std::string_view si;       ///< the unit values are kept in; empty: none
-    std::string_view example;  ///< how a user might write one
+    std::string_view example;  ///< how a user might write one, in quotes
     MessageUnit MessageUnits::*unit = nullptr;
 };
 
-inline constexpr Dimension ratio{"a number", "", "0.5 or 50 %"};
-inline constexpr Dimension angle{"an angle", "rad", "35 deg"};
-inline constexpr Dimension length{"a length", "m", "0.9 mm", &MessageUnits::length};
-inline constexpr Dimension area{"an area", "m^2", "0.06 mm^2", &MessageUnits::area};
-inline constexpr Dimension mass{"a mass", "kg", "2.8 g", &MessageUnits::mass};
-inline constexpr Dimension duration{"a time", "s", "200 us", &MessageUnits::time};
-inline constexpr Dimension rate{"a rate", "1/s", "100 1/s", &MessageUnits::rate};
-inline constexpr Dimension speed{"a velocity", "m/s", "428 m/s", &MessageUnits::speed};
-inline constexpr Dimension density{"a density", "kg/m^3", "1440 kg/m^3", &MessageUnits::density};
-inline constexpr Dimension areal_density{"an areal density", "kg/m^2", "204 g/m^2",
+inline constexpr Dimension ratio{"a number", "", "'0.5' or '50 %'"};
+inline constexpr Dimension angle{"an angle", "rad", "'35 deg'"};
+inline constexpr Dimension length{"a length", "m", "'0.9 mm'", &MessageUnits::length};
+inline constexpr Dimension area{"an area", "m^2", "'0.06 mm^2'", &MessageUnits::area};
+inline constexpr Dimension mass{"a mass", "kg", "'2.8 g'", &MessageUnits::mass};
+inline constexpr Dimension duration{"a time", "s", "'200 us'", &MessageUnits::time};
+inline constexpr Dimension rate{"a rate", "1/s", "'100 1/s'", &MessageUnits::rate};
+inline constexpr Dimension speed{"a velocity", "m/s", "'428 m/s'", &MessageUnits::speed};
+inline constexpr Dimension density{"a density", "kg/m^3", "'1440 kg/m^3'", &MessageUnits::density};
+inline constexpr Dimension areal_density{"an areal density", "kg/m^2", "'204 g/m^2'",
                                          &MessageUnits::areal_density};
-inline constexpr Dimension modulus{"a modulus", "Pa", "96 GPa", &MessageUnits::modulus};
-inline constexpr Dimension viscosity{"a viscosity", "Pa s", "35 MPa s", &MessageUnits::viscosity};
-inline constexpr Dimension area_stiffness{"a stiffness per area", "N/m^3", "5.6e12 N/m^3",
+inline constexpr Dimension modulus{"a modulus", "Pa", "'96 GPa'", &MessageUnits::modulus};
+inline constexpr Dimension viscosity{"a viscosity", "Pa s", "'35 MPa s'", &MessageUnits::viscosity};
+inline constexpr Dimension area_stiffness{"a stiffness per area", "N/m^3", "'5.6e12 N/m^3'",
                                           &MessageUnits::area_stiffness};
 
 /// What a text says as a quantity.

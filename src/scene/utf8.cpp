@@ -1,5 +1,7 @@
 #include "utf8.hpp"
 
+#include <algorithm>
+
 namespace weavefront::scene {
 
 Character first_character(std::string_view text) {
@@ -17,6 +19,13 @@ Character first_character(std::string_view text) {
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
     if (code < least[bytes - 2] || surrogate || code > 0x10FFFF) return {};
     return {code, bytes};
+}
+
+int characters_in(std::string_view text) {
+    const auto begins_character = [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80;
+    };
+    return static_cast<int>(std::ranges::count_if(text, begins_character));
 }
 
 bool is_other_space(char32_t code) {

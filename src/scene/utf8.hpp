@@ -17,6 +17,9 @@ struct Character {
 /// U+10FFFF are not UTF-8.
 Character first_character(std::string_view text);
 
+/// Number of characters.
+int characters_in(std::string_view text);
+
 /// Spaces of Unicode with a width, other than the usual one: no-break, en, em, thin, figure, ideographic, ...
 bool is_other_space(char32_t code);
 

@@ -37,11 +37,6 @@ std::string_view line_of(std::string_view text, int line) {
     return text.substr(0, text.find('\n'));
 }
 
-int characters(std::string_view text) {
-    return static_cast<int>(std::ranges::count_if(
-        text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80; }));
-}
-
 /// A tab in the indentation of a line, or a space that YAML takes for a letter.
 std::optional<YamlFault> blank_fault(std::string_view text, int line) {
     const std::string_view whole = line_of(text, line);
@@ -55,7 +50,7 @@ std::optional<YamlFault> blank_fault(std::string_view text, int line) {
             return YamlFault{
                 fmt::format("the character U+{:04X}, which YAML takes for a letter, allowed is a plain space",
                             static_cast<std::uint32_t>(code)),
-                line, characters(whole.substr(0, at)) + 1};
+                line, characters_in(whole.substr(0, at)) + 1};
         at += std::max<std::size_t>(bytes, 1);
     }
     return std::nullopt;

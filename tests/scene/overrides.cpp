@@ -42,33 +42,6 @@ TEST(Override, BringsItsOwnValueBackAfterLeavingOut) {
     EXPECT_EQ(parse(example, {"time.safety=", "time.safety=0.7"}).time.safety, 0.7);
 }
 
-TEST(Override, ThatLeadsNowhereIsNamed) {
-    const std::vector<std::pair<std::string, std::string>> cases{
-        {"time.safty=0.5",
-         "time.safty: found an unknown key, allowed end, safety, stop, did you mean 'safety'?"},
-        {"fabrics.kevlar129.failur=",
-         "fabrics.kevlar129.failur: found an unknown key, allowed formulation, "},
-        {"fabrics.kevlar128.thickness=1 mm",
-         "fabrics.kevlar128.thickness: found 'kevlar128', allowed the name of a fabric of the scene, did you "
-         "mean 'kevlar129'?"},
-        {"projectile.velocity.3=1 m/s", "projectile.velocity.3: found '3', allowed an item from 0 to 2"},
-        {"time.end.x=1", "time.end.x: found 'x' below '200 us', allowed keys of a map only"},
-        {"time.end=5 kg", "time.end: found '5 kg', a mass, allowed a time greater than 0, such as '200 us'"},
-        {"time.end=[5", "time.end: not YAML: a '[' is not closed by ']', or a ',' is missing"},
-        {"tim.end=5 s",
-         "tim: found an unknown key, allowed title, fabrics, target, projectile, contact, damping, time, "
-         "limits, output, did you "
-         "mean 'time'?"},
-        {"time.end", "found no PATH=VALUE, allowed such as --set projectile.mass='2.8 g'"},
-        {"=5", "found no PATH=VALUE"},
-    };
-    for (const auto& [text, message] : cases) {
-        const auto messages = findings(example, {text});
-        ASSERT_EQ(messages.size(), 1U) << text;
-        EXPECT_TRUE(messages[0].starts_with("--set " + text + ": " + message)) << messages[0];
-    }
-}
-
 TEST(Override, FindingsFollowThoseOfTheFile) {
     const auto messages =
         findings(example_with("safety: 0.9", "safety: 9"), {"title=[]", "projectile.mass=1"});

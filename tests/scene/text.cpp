@@ -87,7 +87,7 @@ TEST_F(Files, AByteOrderMarkIsNoPartOfTheText) {
 TEST_F(Files, AreReadUpToABound) {
     std::ofstream(path) << "12345";
     EXPECT_EQ(read_text(path, 5), "12345");
-    EXPECT_EQ(refusal(4), ": found a file of more than 4 bytes, allowed at most so many");
+    EXPECT_EQ(refusal(4), ": found a file of more than 4 bytes, allowed at most 4");
 }
 
 TEST_F(Files, HaveAnEnd) {
@@ -122,27 +122,6 @@ TEST(Quantities, AnySpaceOfUnicodeMayStandBetweenNumberAndUnit) {
         EXPECT_EQ(parse(example_with("3.3 %", "3.3" + space + "%")).fabrics[0].failure->static_strain, 0.033)
             << space;
     }
-}
-
-TEST(Quantities, WhatLooksLikeASpaceOrAMinusIsNamed) {
-    const auto message = [](const std::string& from, const std::string& to) {
-        return findings(example_with(from, to)).at(0);
-    };
-    EXPECT_EQ(message("1440 kg/m^3", "1440\u200bkg/m^3"),
-              "s.yaml:6:14: fabrics.kevlar129.density: found '1440<U+200B>kg/m^3', '<U+200B>kg/m^3' is not a "
-              "unit, allowed a density "
-              "greater than "
-              "0, such as '1440 kg/m^3'");
-    EXPECT_EQ(message("0.820 mm", "−0.82 mm"),
-              "s.yaml:8:16: fabrics.kevlar129.thickness: found '−0.82 mm', a dash U+2212 in place of the "
-              "minus sign '-', allowed a length of at "
-              "least 0, such as '0.9 mm'");
-    EXPECT_EQ(message("count: 8", "count: 8\u00a0"),
-              "s.yaml:16:18: target.plies.count: found '8<U+00A0>', allowed a whole number from 1 to 10000");
-    EXPECT_EQ(message("0.820 mm", "2020-01-01"),
-              "s.yaml:8:16: fabrics.kevlar129.thickness: found '2020-01-01', '-01-01' is not a unit, allowed "
-              "a length of at least 0, such as "
-              "'0.9 mm'");
 }
 
 }  // namespace

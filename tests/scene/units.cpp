@@ -62,58 +62,5 @@ TEST(Units, BareZeroNeedsNoUnit) {
     EXPECT_EQ(parse(example_with("edge_radius: 0.3 mm", "edge_radius: 0.0")).projectile->edge_radius, 0);
 }
 
-TEST(Units, WhatIsNoQuantityIsRefused) {
-    const std::vector<std::pair<std::string, std::string>> cases{
-        {"0.82", "'0.82', a number without a unit"},
-        {"0.82 kg", "'0.82 kg', a mass"},
-        {"0.82 GPa", "'0.82 GPa', a modulus"},
-        {"0.82 A", "'0.82 A', a quantity in A"},
-        {"0.82 deg", "'0.82 deg', an angle"},
-        {"0.82 furlongs_per", "'0.82 furlongs_per', 'furlongs_per' is not a unit"},
-        {"0.82 1 mm", "'0.82 1 mm', '1 mm' is not a unit"},
-        {"\"0,82 mm\"", "'0,82 mm', ',82 mm' is not a unit"},
-        {"0.82 m @ 5", "'0.82 m @ 5', 'm @ 5' is not a scale from zero"},
-        {"thick", "'thick', not a number"},
-        {".nan", "'.nan', not a number"},
-        {"nan mm", "'nan mm', not a finite number"},
-        {"inf mm", "'inf mm', not a finite number"},
-        {"1e999 mm", "'1e999 mm', beyond the range of numbers"},
-        {"1e308 km", "'1e308 km', beyond the range of numbers"},
-        {"[1 mm]", "a list"},
-        {"{a: 1}", "a map of keys"},
-        {"~", "nothing"},
-        {"-1 mm", "'-1 mm'"},
-    };
-    for (const auto& [text, found] : cases) {
-        const auto messages = findings(example_with("0.820 mm", text));
-        ASSERT_EQ(messages.size(), 1U) << text;
-        EXPECT_EQ(messages[0], "s.yaml:8:16: fabrics.kevlar129.thickness: found " + found +
-                                   ", allowed a length of at least 0, such as '0.9 mm'");
-    }
-}
-
-TEST(Units, WhatTradersWriteIsToldAsUdunitsWritesIt) {
-    const auto told = [](const std::string& mine, const std::string& text) {
-        const auto messages = findings(example_with(mine, text));
-        const auto& message = messages.at(0);
-        const auto question = message.find("did you mean '");
-        return question == std::string::npos ? "nothing" : message.substr(question);
-    };
-    EXPECT_EQ(told("204 g/m^2", "6 oz/yd^2"), "did you mean '6 avoirdupois_ounce/yd^2'?");
-    EXPECT_EQ(told("204 g/m^2", "204 gsm"), "did you mean '204 g/m^2'?");
-    EXPECT_EQ(told("[0, 0, 428 m/s]", "[0, 0, 876 fps]"), "did you mean '876 ft/s'?");
-    EXPECT_EQ(told("[0, 0, 428 m/s]", "[0, 0, 597 mph]"), "did you mean '597 mile/hour'?");
-    EXPECT_EQ(told("[0, 0, 428 m/s]", "[0, 0, 267 oz]"), "nothing");  // no velocity by any name
-}
-
-TEST(Units, AnglesAreNoNumbersAndNumbersNoAngles) {
-    EXPECT_TRUE(findings(example_with("friction: 0.11", "friction: 0.11 deg"))[0].starts_with(
-        "s.yaml:12:15: fabrics.kevlar129.friction: found '0.11 deg', an angle, allowed a number of at least "
-        "0"));
-    EXPECT_TRUE(findings(example_with("35 deg", "0.6"))[0].starts_with(
-        "s.yaml:11:72: fabrics.kevlar129.lateral.locking_angle: found '0.6', a number without a unit, "
-        "allowed an angle"));
-}
-
 }  // namespace
 }  // namespace weavefront::scene::test

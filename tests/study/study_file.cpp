@@ -236,6 +236,13 @@ TEST(StudyFile, ListsInQuotesAreToldSo) {
                      "a list of values"});
 }
 
+TEST(StudyFile, MessagesAreOneLineInWhichAllCanBeSeen) {
+    expect_findings(
+        study_with("- {target.mesh.center: [2 mm, 500 um]}", "- {\"a\\nb\u00a0\": 2}"),
+        {"folder/s.yaml:5:15: variants.0.a<U+000A>b<U+00A0>: found '2', allowed a list of values",
+         "folder/s.yaml:9:8: order: found 'target.mesh.center', allowed a<U+000A>b<U+00A0>, speed"});
+}
+
 TEST(StudyFile, MergeKeysServeItsSettings) {
     const Study study = parse(study_with("slow: {time.end: 40 us, damping: 3 1/s}",
                                          "slow: &slow {time.end: 40 us, damping: 3 1/s}"));

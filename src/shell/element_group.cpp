@@ -62,10 +62,8 @@ void ElementGroup::tighten(const TighteningStart& start, std::span<const Eigen::
                            TightBounds& bounds) const {
     TightBounds own = start.least;
     tighten_uniform(start, x, own);
-    for (std::size_t i = 0; i < null_lagrangians.size(); ++i) {
-        const double poorest = 1 - std::abs(null_lagrangians[i].mass);
-        bounds[i] = std::max(bounds[i], with_hourglass(parallelograms_, own[i], start.hourglass / poorest));
-    }
+    for (std::size_t i = 0; i < couplings.size(); ++i)
+        bounds[i] = std::max(bounds[i], with_hourglass(parallelograms_, own[i], start.hourglass));
 }
 
 double ElementGroup::least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis,

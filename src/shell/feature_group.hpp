@@ -66,12 +66,12 @@ class FeatureGroup final : public ElementGroup {
     [[nodiscard]] bool is_crimped() const override { return F.crimp && !F.paper(); }
     [[nodiscard]] bool is_packed() const override { return F.lateral && !F.paper() && packing_.any(); }
 
-    [[nodiscard]] double slack_frequency(const NullLagrangian& term, double smallest_area) const override {
+    [[nodiscard]] double slack_frequency(double coupling) const override {
         double highest = 0;
         if constexpr (F.crimp && !F.paper())
             for_packs(0, packs_, [&](std::int32_t pack, std::int32_t at) {
-                highest = std::max(
-                    highest, largest_lane(slack_form(pack, at, term, smallest_area).largest_eigenvalue()));
+                highest =
+                    std::max(highest, largest_lane(slack_form(pack, at, coupling).largest_eigenvalue()));
             });
         return highest;
     }
@@ -163,15 +163,13 @@ class FeatureGroup final : public ElementGroup {
     };
 
     [[nodiscard]] WEAVEFRONT_INLINE SlackForm slack_form(std::int32_t pack, std::int32_t at,
-                                                         const NullLagrangian& term,
-                                                         double smallest_area) const {
+                                                         double factor) const {
         auto quad = quads_.pack_from(at);
         const auto state = load(pack, quad);
         const auto alive = quad.area > 0.0;
-        const auto G = term.mass == 0 ? gradient_products(quad)
-                                      : redistributed_products(term.mass, quad, alive, smallest_area);
+        const auto G = gradient_products(quad);
         const double bar = constants_.instant_modulus * constants_.area * constants_.inverse_length;
-        const double c = 2 * term.coupling * coupling_at_rest_ / bar;
+        const double c = 2 * factor * coupling_at_rest_ / bar;
         Pack k = 2 * bar / areal_density_;
         if constexpr (F.failure) k = k * (state.intact_f * state.intact_w);
         const Pack a_f = (0.5 * constants_.span) * state.lambda_f,
@@ -189,8 +187,7 @@ class FeatureGroup final : public ElementGroup {
 
     void note_straightening(std::int32_t pack, std::int32_t at) {
         if (has_straightened_) return;
-        has_straightened_ =
-            fabric::any(slack_form(pack, at, trigger_.term, trigger_.smallest_area).above(trigger_.slack));
+        has_straightened_ = fabric::any(slack_form(pack, at, trigger_.coupling).above(trigger_.slack));
     }
 
     /// A pack on the way to its tighter bounds.
@@ -238,35 +235,21 @@ class FeatureGroup final : public ElementGroup {
         const Pack cosine = dot(k.g_f, k.g_w) * inverse, sine = length * inverse;
         const Pack lean =
             (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
-        const auto even = membrane_form(tangent, cosine, sine, gradient_products(quad), areal_density_);
-        for (std::size_t i = 0; i < null_lagrangians.size(); ++i) {
+        const auto form = membrane_form(tangent, cosine, sine, gradient_products(quad), areal_density_);
+        for (std::size_t i = 0; i < couplings.size(); ++i) {
             if (bounds[i] >= start.limit) continue;
-            const double c = null_lagrangians[i].coupling * coupling_at_rest_, m = null_lagrangians[i].mass;
+            const double c = couplings[i] * coupling_at_rest_;
             Tightened tightened{.alive = alive,
-                                .form = even,
+                                .form = form,
                                 .c = c * lean,
                                 .tilted = 0.0,
                                 .out_of_plane = start.out_of_plane};
             if (c > 0) {
-                const Pack area = c * even.area;
+                const Pack area = c * form.area;
                 tightened.tilted = area * area * fabric::max(Pack(1.0 - lean * lean), Pack(0.0));
             }
-            if (m != 0)
-                tightened.form = membrane_form(tangent, cosine, sine,
-                                               redistributed_products(m, quad, alive, start.smallest_area),
-                                               areal_density_);
             raise(bounds[i], tightened, start.limit);
         }
-    }
-
-    /// Gradient products with redistributed mass. A corner of the panel has no neighbour to give it mass: its
-    /// part there stays a quarter, which is allowed for at one corner of every element.
-    [[nodiscard]] static std::array<Pack, 3> redistributed_products(double mass, const Quad<Pack>& quad,
-                                                                    const fabric::Mask& alive,
-                                                                    double smallest_area) {
-        const Pack moved = std::abs(mass) * smallest_area / select(alive, quad.area, Pack(smallest_area));
-        const Pack richer = 0.5 + 0.5 / (1.0 + moved), poorer = 1.0 / (1.0 - moved);
-        return mass > 0 ? gradient_products(quad, richer, poorer) : gradient_products(quad, poorer, richer);
     }
 
     /// Raises `known` to the first step that bounds the pack: one step after the other, or, where these are

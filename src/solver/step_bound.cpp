@@ -28,7 +28,7 @@ constexpr double worth_looking = 1.05;
 // computed, only compared with.
 constexpr double follows_down = 0.98;
 
-// In one attempt of so many others than the best term are tried, too.
+// In one attempt of so many the neighbours of the best coupling are tried, too.
 constexpr int looks_beside = 8;
 
 // As many times at most no attempt is made to tighten the bound, after others in vain.
@@ -164,7 +164,6 @@ StepBound::FreeEdges StepBound::free_edges(const mesh::Panel& panel) {
 StepBound::StepBound(const scene::Scene& scene, const mesh::Panel& panel)
     : corners_{panel.columns_x(), panel.nodes_per_ply() - 1, panel.nodes_per_ply() - 1 - panel.columns_x()},
       symmetry_(panel.symmetry),
-      single_element_(panel.columns() == 1),
       contact_(contact_modes(scene)),
       coupling_at_rest_(coupling_at_rest(scene)),
       smallest_area_(ends_of(panel.x, false, panel.edges[0]).shortest *
@@ -236,12 +235,10 @@ double StepBound::frequency_squared(const Model& model, std::span<const contact:
     if (may_pay && --waits_ < 0) {
         const double contact = contact_.stiffness + std::sqrt(worth) * contact_.damping;
         const double limit = in_plane_of_joint(worth, most[out_of_plane], contact, sine_squared);
-        shell::TighteningStart start{{}, limit, most[out_of_plane], most[hourglass], axis, smallest_area_};
-        // Terms of an element that leans over mix motion in its plane and out of it: only where contact does
-        // not need them apart.
-        const bool may_redistribute = sine_squared == 1;
-        choose_null_lagrangians(may_redistribute && most[crimped] > 0,
-                                may_redistribute && most[packed] > 0 && !single_element_, start);
+        shell::TighteningStart start{{}, limit, most[out_of_plane], most[hourglass], axis};
+        // The coupling of an element that leans over mixes motion in its plane and out of it: only where
+        // contact does not need them apart.
+        choose_couplings(sine_squared == 1 && most[crimped] > 0, start);
         most[in_plane] = tightened(model, start, most[in_plane], comm);
     }
     trigger_.packing = trigger_.slack < std::numeric_limits<double>::infinity() && most[packed] == 0;
@@ -249,17 +246,13 @@ double StepBound::frequency_squared(const Model& model, std::span<const contact:
     return shell::in_steps(joint(most[in_plane], sine_squared));
 }
 
-void StepBound::choose_null_lagrangians(bool coupling, bool mass, shell::TighteningStart& start) const {
-    const auto may_help = [&](const shell::NullLagrangian& term) {
-        return (term.mass == 0 || mass) && (term.coupling == 0 || coupling);
-    };
-    const bool starts_anew = best_ < 0 || !may_help(shell::null_lagrangians[static_cast<std::size_t>(best_)]);
+void StepBound::choose_couplings(bool others_than_none, shell::TighteningStart& start) const {
+    const auto may_help = [&](double coupling) { return coupling == 0 || others_than_none; };
+    const bool starts_anew = best_ < 0 || !may_help(shell::couplings[static_cast<std::size_t>(best_)]);
     for (std::size_t i = 0; i < start.least.size(); ++i) {
-        const auto& term = shell::null_lagrangians[i];
         const int apart = std::abs(static_cast<int>(i) - best_);
-        const bool is_due =
-            starts_anew || apart == 0 || (attempts_ % looks_beside == 0 && (term.mass != 0 || apart == 1));
-        const bool tried = is_due && may_help(term);
+        const bool is_due = starts_anew || apart == 0 || (attempts_ % looks_beside == 0 && apart == 1);
+        const bool tried = is_due && may_help(shell::couplings[i]);
         const double known = best_ < 0 ? 0 : follows_down * last_[i];
         start.least[i] = tried ? std::clamp(known, start.limit * 0x1p-20, start.limit) : start.limit;
     }
@@ -275,15 +268,13 @@ double StepBound::tightened(const Model& model, const shell::TighteningStart& st
     best_ = -1;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         double bound = bounds[i];
-        if (const double coupling = shell::null_lagrangians[i].coupling * coupling_at_rest_; coupling > 0) {
+        if (const double coupling = shell::couplings[i] * coupling_at_rest_; coupling > 0) {
             if (free_edges_.too_near) continue;
             const double inside = bound - std::max(start.hourglass, start.out_of_plane);
             bound += std::max(excess_on_edge(inside, coupling / free_edges_.edge),
                               excess_at_corner(inside, coupling / free_edges_.corner));
             bound = std::max(bound, coupling / smallest_area_);  // of an eroded element, which keeps the term
         }
-        if (shell::null_lagrangians[i].mass != 0)
-            bound = std::max(bound, start.out_of_plane / (1 - shell::most_redistributed));
         if (bound < start.limit && bound < least) {
             least = bound;
             best_ = static_cast<int>(i);
@@ -293,10 +284,8 @@ double StepBound::tightened(const Model& model, const shell::TighteningStart& st
         const auto best = static_cast<std::size_t>(best_);
         double slack = bounds[best];
         for (const auto& group : model.groups)
-            slack = std::max(slack, group->slack_frequency(shell::null_lagrangians[best], smallest_area_));
-        trigger_ = {.slack = let_straighten * comm.max(slack),
-                    .term = shell::null_lagrangians[best],
-                    .smallest_area = smallest_area_};
+            slack = std::max(slack, group->slack_frequency(shell::couplings[best]));
+        trigger_ = {.slack = let_straighten * comm.max(slack), .coupling = shell::couplings[best]};
     }
     ++attempts_;
     // Where nothing is won the attempts become rare: a yarn that has straightened stays so for long.

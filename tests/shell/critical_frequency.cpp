@@ -41,7 +41,7 @@ Positions forces_at(const scene::Fabric& fabric, const Mesh& mesh, double angle,
 
 struct Frequencies {
     double bound;  ///< omega^2, 1/s2
-    double sharp;  ///< the same with crossovers let go, without null Lagrangian terms
+    double sharp;  ///< the same with crossovers let go, without coupling
     double exact;
 };
 
@@ -65,8 +65,11 @@ Frequencies frequencies(const scene::Fabric& fabric, const Mesh& mesh, double an
     const double area = shell::make_quad(corners_of(mesh, 0, mesh.X), angle).area,
                  nodal_mass = fabric.areal_density * area / 4;
     const auto held = elements.group->frequencies();
-    const shell::TighteningStart start{{held.in_plane * 1e-6}, 4 * held.in_plane,        held.out_of_plane,
-                                       held.hourglass,         Eigen::Vector3d::UnitZ(), area};
+    const shell::TighteningStart start{{held.in_plane * 1e-6},
+                                       4 * held.in_plane,
+                                       held.out_of_plane,
+                                       held.hourglass,
+                                       Eigen::Vector3d::UnitZ()};
     shell::TightBounds tighter = start.least;
     elements.group->tighten(start, x, tighter);
     return {std::max(held.in_plane, held.out_of_plane), std::max(tighter[0], held.out_of_plane),

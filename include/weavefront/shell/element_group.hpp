@@ -15,8 +15,8 @@
 #include "weavefront/fabric/vectors.hpp"
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/shell/aligned_vector.hpp"
+#include "weavefront/shell/coupling.hpp"
 #include "weavefront/shell/hourglass.hpp"
-#include "weavefront/shell/null_lagrangian.hpp"
 #include "weavefront/shell/pack_blocks.hpp"
 #include "weavefront/shell/quad.hpp"
 #include "weavefront/shell/repeated_quads.hpp"
@@ -126,10 +126,10 @@ class ElementGroup {
     /// Whether `tighten` may find less by free crossovers and a coupling of fill and warp: yarns are crimped,
     /// in the consistent formulation.
     [[nodiscard]] virtual bool is_crimped() const = 0;
-    /// Whether it may by redistributed mass: yarns are packed.
+    /// Whether it may by the packed yarns' tangent.
     [[nodiscard]] virtual bool is_packed() const = 0;
 
-    /// Raises tighter bounds on `along` for each of `null_lagrangians` by those of the alive elements, with
+    /// Raises tighter bounds on `along` for each of `couplings` by those of the alive elements, with
     /// the crossovers that are free let go.
     /// @param x positions of the local nodes, m
     void tighten(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const;
@@ -137,15 +137,14 @@ class ElementGroup {
     /// omega^2 in the plane of the alive elements if their yarns were slack and at right angles, 1/s2; 0
     /// where `tighten` lets no crossover go. It follows from the stretches and the crossover alone, and rises
     /// when slack yarns straighten.
-    [[nodiscard]] virtual double slack_frequency(const NullLagrangian& term, double smallest_area) const = 0;
+    [[nodiscard]] virtual double slack_frequency(double coupling) const = 0;
 
     /// What makes yarns stiffer than the bounds allow for, to be looked out for from now on. By default
     /// nothing.
     struct StiffeningTrigger {
         double slack = std::numeric_limits<double>::infinity();  ///< the first slack_frequency above it, 1/s2
-        NullLagrangian term{};
-        double smallest_area = 0;  ///< m2
-        bool packing = false;      ///< the first packed yarns, where none of any rank are
+        double coupling = 0;
+        bool packing = false;  ///< the first packed yarns, where none of any rank are
     };
     void set_trigger(const StiffeningTrigger& trigger) { trigger_ = trigger; }
     /// Whether it has come, in the last step of all elements.

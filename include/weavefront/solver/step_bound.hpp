@@ -86,9 +86,7 @@ class StepBound {
         archive("step_bound.will_wait", will_wait_);
         archive("step_bound.steps_to_next", steps_to_next_);
         archive("step_bound.trigger.slack", trigger_.slack);
-        archive("step_bound.trigger.coupling", trigger_.term.coupling);
-        archive("step_bound.trigger.mass", trigger_.term.mass);
-        archive("step_bound.trigger.smallest_area", trigger_.smallest_area);
+        archive("step_bound.trigger.coupling", trigger_.coupling);
         archive("step_bound.trigger.packing", trigger_.packing);
     }
 
@@ -106,11 +104,10 @@ class StepBound {
                                           const parallel::Communicator& comm);
     double tightened(const Model& model, const shell::TighteningStart& start, double held,
                      const parallel::Communicator& comm);
-    void choose_null_lagrangians(bool coupling, bool mass, shell::TighteningStart& start) const;
+    void choose_couplings(bool others_than_none, shell::TighteningStart& start) const;
 
     std::array<std::int64_t, 3> corners_;  // of the first ply: global nodes, counter-clockwise
     std::array<bool, 2> symmetry_;
-    bool single_element_;
     ContactModes contact_;
     double coupling_at_rest_;  // 4 c over the areal density, m2/s2
     double smallest_area_;     // m2
@@ -118,9 +115,9 @@ class StepBound {
     std::int64_t steps_to_next_ = 0;
     shell::ElementGroup::StiffeningTrigger trigger_;
 
-    // What the last attempts to tighten found: the bounds, 0 where none was sought; which term was best,
+    // What the last attempts to tighten found: the bounds, 0 where none was sought; which coupling was best,
     // none: -1; their number; and how many times none is made, now and after the next one in vain.
-    std::array<double, shell::null_lagrangians.size()> last_{};
+    std::array<double, shell::couplings.size()> last_{};
     int best_ = -1, attempts_ = 0, waits_ = 0, will_wait_ = 1;
 };
 

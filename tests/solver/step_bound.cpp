@@ -10,6 +10,10 @@
 #include <vector>
 
 #include "small_scene.hpp"
+#include "weavefront/solver/contact_modes.hpp"
+#include "weavefront/solver/coupling_on_edges.hpp"
+#include "weavefront/solver/flat_contact.hpp"
+#include "weavefront/solver/tight_step_bound.hpp"
 
 namespace weavefront::solver::test {
 
@@ -124,6 +128,38 @@ TEST(FreeEdges, AddTheEigenvalueOfWhatIsLeftOnThem) {
             EXPECT_LE(bound, corner + 1e-3 * coupling)
                 << inside << " " << coupling;  // six steps of a contraction by a sixth at the least
         }
+}
+
+TEST(TightStepBound, IsOffUnlessItsPremisesHold) {
+    const std::vector<std::string> straight_alone{"projectile=", "contact=", "fabrics.kevlar129.thickness=0",
+                                                  "fabrics.kevlar129.friction=0",
+                                                  "fabrics.kevlar129.lateral="};
+    EXPECT_FALSE(TightStepBound::may_hold(scene_with(straight_alone)));
+    EXPECT_FALSE(TightStepBound::may_hold(
+        scene_with({"projectile=", "contact=", "fabrics.kevlar129.formulation=paper"})));
+    EXPECT_TRUE(TightStepBound::may_hold(scene_with({"projectile=", "contact="})));  // crimp and packing
+    EXPECT_TRUE(TightStepBound::may_hold(scene_with({"fabrics.kevlar129.formulation=paper"})));  // contact
+}
+
+/// A ply folded along x = 0: its halves lean by an angle, and its corners stay at one height.
+TEST(FlatContact, SeesTwiceTheLeanOfTheSteepestElement) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    for (const double lean : {0.0, 0.1, -0.3, 0.9}) {
+        Simulation simulation(scene_with({"projectile=", "contact="}), comm);
+        set_motion(
+            simulation,
+            [&](const Vec3& x) {
+                return Vec3(x.x() * std::cos(lean), x.y(), std::abs(x.x()) * std::sin(lean));
+            },
+            [](const Vec3&) { return Vec3(Vec3::Zero()); });
+        FlatContact contact(simulation.panel());
+        const Vec3 axis = contact.axis(simulation.model(), comm);
+        EXPECT_NEAR(axis.z(), 1, 1e-15) << lean;
+        const double beyond_45_degrees = 1, expected = std::abs(lean) > std::numbers::pi / 4
+                                                           ? beyond_45_degrees
+                                                           : std::pow(std::sin(2 * lean), 2);
+        EXPECT_NEAR(contact.sine_squared(simulation.model(), axis, {}, comm), expected, 1e-13) << lean;
+    }
 }
 
 /// Pulls the fill of slack fabric straight within 20 steps, where |y| is at least `from`. Between two checks

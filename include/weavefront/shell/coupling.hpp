@@ -9,16 +9,16 @@
 
 namespace weavefront::shell {
 
-/// Factors c, over that of the fabric at rest, of a term that cancels in the sum over a ply, so that it may
-/// be taken from each of its elements before the worst one is looked for. The term is the area projected onto
-/// one plane; its second variation, 2 c n.(dg_f x dg_w), sums to a term on free edges alone.
+/// Multiples c of the area of a ply projected onto one plane; 1 is the coupling of the fabric at rest. Each
+/// element gives up its part of c times that area before the largest omega^2 is sought. The parts cancel in
+/// the sum over the ply: the second variation, 2 c n.(dg_f x dg_w), acts on free edges alone.
 ///
-/// A panel is softer than its worst element where its elements cannot all be in their worst mode at once:
-/// fill and warp that stretch together come apart. Of slack crimped yarns, whose tangent in the two stretches
-/// is (a, b; b, a), a + b becomes a with c = b.
+/// The worst mode of an element stretches fill and warp together. Its neighbours cannot all do the same, so
+/// a panel is softer than its worst element. Slack crimped yarns have the tangent (a, b; b, a) in the two
+/// stretches: its eigenvalue a + b becomes a with c = b.
 ///
-/// The best factor counts for the whole model. The bound is convex in c, so an eighth between two of them
-/// costs little, and neighbours tell where the best one is.
+/// One c serves the whole model. The bound is convex in c: steps of an eighth cost little, and neighbours
+/// tell where the best c is.
 inline constexpr std::array<double, 10> couplings{0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1, 1.125};
 
 /// Bounds on `in_plane` by coupling, 1/s2.

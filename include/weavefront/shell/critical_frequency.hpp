@@ -58,10 +58,10 @@ WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad) 
 
 /// From bounds k of the cell's tangent with crossovers held.
 ///
-/// In the plane the quadratic form of uniform deformation is at most sum M_ij |dg_i| |dg_j| over the yarn
-/// vectors with M_ff = k_f + k_lateral + k_angle/lambda_f^2, M_fw = k_angle/(lambda_f lambda_w), because |d(2
-/// theta)| <= |dg_f|/lambda_f + |dg_w|/lambda_w. With dg = B du and G = B B^T the frequency is 4 lambda_max(M
-/// G)/areal density, and so it is out of the plane.
+/// In the plane the second variation is at most sum M_ij |dg_i| |dg_j| over the yarn vectors, because
+/// |d(2 theta)| <= |dg_f|/lambda_f + |dg_w|/lambda_w. Here M_ff = k_f + k_lateral + k_angle/lambda_f^2 and
+/// M_fw = k_angle/(lambda_f lambda_w). With dg = B du and G = B B^T, omega^2 is 4 lambda_max(M G)/areal
+/// density. Out of the plane k.normal takes the place of M.
 template <class Real>
 WEAVEFRONT_INLINE Frequencies<Real> critical_frequencies(const Quad<Real>& quad,
                                                          const fabric::Stiffness<Real>& k,

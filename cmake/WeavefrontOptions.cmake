@@ -2,6 +2,8 @@ option(WEAVEFRONT_TESTS "Build the tests" ON)
 option(WEAVEFRONT_WERROR "Treat warnings as errors" ON)
 set(WEAVEFRONT_ARCH native CACHE STRING "Processor to build for, as given to -march: native, x86-64-v3, x86-64-v4")
 option(WEAVEFRONT_COVERAGE "Count the lines that are executed, for gcovr" OFF)
+set(WEAVEFRONT_BOUND_WITHOUT nothing CACHE STRING  # tests/stability/parts.py measures what each part saves
+    "Part that the tight bound on the time step lacks: nothing, flat_contact, free_crossovers, coupling")
 set(WEAVEFRONT_SANITIZE "" CACHE STRING "Sanitizers to build with, as given to -fsanitize=")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

@@ -9,10 +9,14 @@ namespace weavefront::shell {
 
 /// Fill and warp stretched together while the yarns are slack and the crossover is free.
 ///
-/// omega^2 is the larger eigenvalue of (a, o; o, b). Per bar of slope beta and crossover height h, with
-/// k = 4 S Ka/(2 L) B_f.B_f over the areal density, a = k cos^2 beta_f h_w^2/(h_f^2 + h_w^2), so b. The
-/// coupling c of the two is o = k cos beta_f cos beta_w h_f h_w/(h_f^2 + h_w^2) - 4 c sqrt(det G)/rho.
-/// The form is stored without divisions: a = fill/fill_unit, b = warp/warp_unit,
+/// omega^2 is the larger eigenvalue of (p, o; o, q). Let beta be the slope of a bar, h its crossover height
+/// and k = 4 S Ka/(2 L) B_f.B_f over the areal density.
+///
+/// p = k cos^2 beta_f h_w^2/(h_f^2 + h_w^2), and q alike with fill and warp exchanged.
+///
+/// o = k cos beta_f cos beta_w h_f h_w/(h_f^2 + h_w^2) - 4 c sqrt(det G)/rho, with a coupling c.
+///
+/// The form is stored without divisions: p = fill/fill_unit, q = warp/warp_unit and
 /// o^2 = coupling_squared/(fill_unit warp_unit).
 struct SlackForm {
     using Pack = fabric::Pack;
@@ -28,9 +32,9 @@ struct SlackForm {
 
     /// omega^2, 1/s2; 0 of eroded elements.
     [[nodiscard]] Pack largest_eigenvalue() const {
-        const Pack a = fill / fill_unit, b = warp / warp_unit, half = 0.5 * (a - b);
+        const Pack p = fill / fill_unit, q = warp / warp_unit, half = 0.5 * (p - q);
         return select(
-            alive, Pack(0.5 * (a + b) + sqrt(Pack(half * half + coupling_squared / (fill_unit * warp_unit)))),
+            alive, Pack(0.5 * (p + q) + sqrt(Pack(half * half + coupling_squared / (fill_unit * warp_unit)))),
             Pack(0.0));
     }
 };

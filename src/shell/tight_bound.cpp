@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "largest_lane.hpp"
@@ -26,12 +27,13 @@ constexpr fabric::Features any_fabric{.formulation = scene::Formulation::consist
 struct CoupledPack {
     fabric::Mask alive;
     MembraneForm<Pack> form;
-    Pack c;       ///< the coupling as seen in the element's plane, N/m
-    Pack tilted;  ///< square of what the coupling makes, by the element's tilt, between motion in the plane
-                  ///< and out of it, 1/s4
-    double out_of_plane;
+    Pack c;       ///< part of the coupling in the element's plane, N/m
+    Pack tilted;  ///< square of the rest, which couples motion in the plane and out of it, 1/s4; 0: not
+                  ///< inclined
+    double out_of_plane;  ///< 1/s2
 
-    /// Whether omega_squared is no bound.
+    /// Whether omega_squared is no bound. Motion out of the plane is eliminated: it takes its part
+    /// `tilted`/rest from omega_squared.
     [[nodiscard]] WEAVEFRONT_INLINE fabric::Mask above(double omega_squared) const {
         const Pack rest = omega_squared - out_of_plane;
         const auto is_tilted = tilted > 0.0;
@@ -104,7 +106,7 @@ void TightBound::raise(const TighteningStart& start, std::span<const Eigen::Vect
                        TightBounds& bounds) const {
     TightBounds uniform = start.least;  // without hourglass modes
     group_.for_packs(0, group_.packs(), [&](std::int32_t pack, std::int32_t at) {
-        if (std::ranges::any_of(uniform, [&](double bound) { return bound < start.limit; }))
+        if (!std::ranges::equal(uniform, start.limits, std::greater_equal()))
             raise(pack, at, start, group_.corners(pack, x), uniform);
     });
     for (std::size_t i = 0; i < couplings.size(); ++i)
@@ -128,7 +130,7 @@ void TightBound::raise(std::int32_t pack, std::int32_t at, const TighteningStart
         (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
     const auto form = membrane_form(tangent, cosine, sine, gradient_products(quad), group_.areal_density());
     for (std::size_t i = 0; i < couplings.size(); ++i) {
-        if (bounds[i] >= start.limit) continue;
+        if (bounds[i] >= start.limits[i]) continue;
         const double c = couplings[i] * coupling_at_rest_;
         CoupledPack coupled{
             .alive = alive, .form = form, .c = c * lean, .tilted = 0.0, .out_of_plane = start.out_of_plane};
@@ -136,7 +138,7 @@ void TightBound::raise(std::int32_t pack, std::int32_t at, const TighteningStart
             const Pack area = c * form.area;
             coupled.tilted = area * area * fabric::max(Pack(1.0 - lean * lean), Pack(0.0));
         }
-        raise_to(bounds[i], coupled, start.limit);
+        raise_to(bounds[i], coupled, start.limits[i]);
     }
 }
 

@@ -27,17 +27,17 @@ Ends ends_of(const std::vector<double>& line, bool symmetric, scene::Edge edge) 
 
 }  // namespace
 
-// The gradients of an element see one half of a node's displacement: the corners' values less their mean and
-// their hourglass mode. An edge couples x of one node with y of the next, both half seen: eigenvalue of {{a +
-// l/4, l/4}, {l/4, l/4}}, a inside, l the coupling.
+// The gradients of an element contain half of a node's displacement: the corners' values less their mean and
+// their hourglass mode. An edge couples x of one node with y of the next, both halved. With a inside and the
+// coupling l, the eigenvalue is that of {{a + l/4, l/4}, {l/4, l/4}}.
 double excess_on_edge(double inside, double coupling) {
     const double a = std::max(inside, 0.0);
     return coupling / 4 - a / 2 + std::sqrt(a * a / 4 + coupling * coupling / 16);
 }
 
-// At a corner it couples the corner node, half seen, with the difference of its neighbours, wholly seen:
-// {{a, 0, l/2}, {0, 0, l/2}, {l/2, l/2, a}}, whose largest eigenvalue a + x solves x^2 = l^2/4 (a + 2 x)/(a +
-// x). From above.
+// A corner couples the corner node, halved, with the difference of its neighbours, which counts whole. The
+// matrix is {{a, 0, l/2}, {0, 0, l/2}, {l/2, l/2, a}}. Its largest eigenvalue a + x solves
+// x^2 = l^2/4 (a + 2 x)/(a + x). The iteration starts above the solution and stays above it.
 double excess_at_corner(double inside, double coupling) {
     const double a = std::max(inside, 0.0);
     double x = coupling / std::numbers::sqrt2;

@@ -68,8 +68,9 @@ Frequencies frequencies(const scene::Fabric& fabric, const Mesh& mesh, double an
     const auto held = elements.group->frequencies();
     if (fabric.formulation == scene::Formulation::paper)
         return {std::max(held.in_plane, held.out_of_plane), 0, largest_eigenvalue(K) / nodal_mass};
+    // Only the first, which has no coupling, is tried.
     const shell::TighteningStart start{{held.in_plane * 1e-6},
-                                       4 * held.in_plane,
+                                       {4 * held.in_plane},
                                        held.out_of_plane,
                                        held.hourglass,
                                        Eigen::Vector3d::UnitZ()};

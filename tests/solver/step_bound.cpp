@@ -141,6 +141,26 @@ TEST(TightStepBound, IsOffUnlessItsPremisesHold) {
     EXPECT_TRUE(TightStepBound::may_hold(scene_with({"fabrics.kevlar129.formulation=paper"})));  // contact
 }
 
+/// Flat fabric without coupling has the bound max(in_plane, out_of_plane + contact). Where contact is weak,
+/// the bound with coupling and contact in any direction is lower: that of the fabric alone plus contact.
+TEST(TightStepBound, CouplesFlatFabricInWeakContact) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const std::vector<std::string> in_contact{
+        "projectile=", "contact={plies: {stiffness: 4e11 N/m^3, unloading: 1, damping: 0}}",
+        "fabrics.kevlar129.thickness=0.82 mm", "target.plies.count=2"};
+    auto alone = in_contact;
+    alone[1] = "contact=";
+    const auto bound = [&](const std::vector<std::string>& overrides) {
+        const auto scene = scene_with(overrides);
+        Simulation simulation(scene, comm);
+        return StepBound(scene, simulation.panel()).frequency_squared(simulation.model(), {}, comm);
+    };
+    const double fabric = bound(alone), contact = contact_modes(scene_with(in_contact)).stiffness;
+    EXPECT_GT(contact, 0.1 * fabric);
+    constexpr double in_steps = 2.0 / 512;  // of the bound, and of the search for the best coupling
+    EXPECT_LE(bound(in_contact), (fabric + contact) * (1 + 2 * in_steps));
+}
+
 /// A ply folded along x = 0: its halves lean by an angle, and its corners stay at one height.
 TEST(FlatContact, SeesTwiceTheLeanOfTheSteepestElement) {
     const parallel::Communicator comm(MPI_COMM_WORLD);

@@ -12,19 +12,19 @@
 
 namespace weavefront::shell {
 
-/// Bounds omega^2 of motion in the elements' planes with the crossovers free and a coupling of fill and warp.
-/// A view of the group's present state. The consistent formulation alone has the tangent that it needs.
+/// Bounds omega^2 of motion in the elements' planes with free crossovers and a coupling of fill and warp.
+/// It views the group's present state. Only the consistent formulation has the tangent that the bound needs.
 class TightBound {
   public:
     /// @param group of the consistent formulation; it outlives the bound
     explicit TightBound(const ElementGroup& group);
 
-    /// Raises the bounds by those of the alive elements, for each of `couplings` up to `start.limit`.
+    /// Raises the bounds by those of the alive elements, for each of `couplings` up to its limit.
     /// @param x positions of the local nodes, m
     void raise(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const;
 
     /// omega^2 of the alive elements as if their yarns were slack and at right angles, 1/s2; 0 where the
-    /// yarns are straight. It depends on the stretches and the crossover alone.
+    /// fabric has no crimp. It depends on the stretches and the crossover alone.
     /// @param coupling one of `couplings`
     [[nodiscard]] double slack_frequency(double coupling) const;
 

@@ -14,7 +14,8 @@
 
 namespace weavefront::solver {
 
-/// Bounds the angle by the angles of both to one axis, about which fabric and contact turn together.
+/// Bounds the angle by twice the largest angle of a normal or of contact to one axis. The axis turns with the
+/// ply.
 class FlatContact {
   public:
     explicit FlatContact(const mesh::Panel& panel);

@@ -16,11 +16,15 @@
 
 namespace weavefront::solver {
 
-/// Bounds omega^2 of M^-1 K over the whole model; central differences are stable up to dt = 2/omega.
+/// Upper bound on omega^2, the largest eigenvalue of M^-1 K of the whole model. Central differences are
+/// stable up to dt = 2/omega. tests/stability/README.md explains the bound with its formulae.
 ///
-/// The plain bound adds three parts. By the element eigenvalue inequality the largest omega^2 of an element
-/// bounds the fabric, in its plane and out of it. Contact counts as closed everywhere and unloading, in any
-/// direction. TightStepBound lowers the sum where its premises hold.
+/// The plain bound is max(in_plane, out_of_plane) + contact. By the element eigenvalue inequality the largest
+/// omega^2 of an element bounds the fabric. Motion in the plane and out of it are independent in an element,
+/// so the larger counts. Contact counts as closed everywhere and unloading. Its omega^2 is added, since the
+/// largest eigenvalue of a sum is at most the sum of the largest eigenvalues.
+///
+/// TightStepBound lowers the plain bound where its premises hold.
 class StepBound {
   public:
     StepBound(const scene::Scene& scene, const mesh::Panel& panel);
@@ -36,7 +40,7 @@ class StepBound {
     /// than a safety factor leaves.
     [[nodiscard]] std::int64_t steps_to_next() const;
 
-    /// Has the groups look out for what asks for the bound before then: ElementGroup::has_stiffened.
+    /// Has the groups monitor what asks for a new bound before then: ElementGroup::has_stiffened.
     void set_triggers(Model& model) const;
 
     /// What earlier calls have found: the next bound depends on it.

@@ -19,17 +19,18 @@
 
 namespace weavefront::solver {
 
-/// Lowers the plain bound by what the elements allow in their present state.
+/// Lowers the plain bound of StepBound by three parts.
 ///
-/// - Flat fabric: contact acts across the elements' planes, so its stiffness and the fabric's do not add up.
-/// - Free crossovers: fabric whose crossovers may move is softer than with crossovers held.
+/// - Flat contact: contact acts across the elements' planes, so its stiffness and the fabric's do not add up.
+/// - Free crossovers: fabric whose crossovers may move is softer than fabric with crossovers held.
 /// - Coupling: elements exchange a term that cancels in the sum over a ply, shell::couplings.
 ///
-/// The last two are costly. Each attempt must promise enough, and attempts in vain make the next ones rare.
+/// The second and third part cost as much as some steps. So an attempt must promise enough, and attempts in
+/// vain make the next ones rare. tests/stability/README.md tells what each part saves.
 class TightStepBound {
   public:
-    /// Whether a part of the bound may lower that of a scene. Contact may do so over flat fabric. Crimped or
-    /// packed yarns may, if all plies are of the consistent formulation.
+    /// Whether any part may lower the bound of a scene. Flat contact needs contact. The other parts need
+    /// crimped or packed yarns, and the consistent formulation in all plies.
     [[nodiscard]] static bool may_hold(const scene::Scene& scene);
 
     TightStepBound(const scene::Scene& scene, const mesh::Panel& panel);
@@ -46,7 +47,7 @@ class TightStepBound {
     /// longer.
     [[nodiscard]] bool is_monitored() const { return trigger_ && trigger_->packing; }
 
-    /// Has the groups look out for what makes the last bound too low.
+    /// Has the groups monitor what makes the last bound too low.
     void set_triggers(Model& model) const;
 
     /// What earlier calls have found: the next bound depends on it.
@@ -67,9 +68,20 @@ class TightStepBound {
     }
 
   private:
-    [[nodiscard]] shell::TightBounds first_bounds(bool coupled, double limit) const;
-    double tightened(const Model& model, const shell::TighteningStart& start, double held,
-                     const parallel::Communicator& comm);
+    /// What all parts of one bound refer to.
+    struct Present {
+        shell::Frequencies<double> held;  ///< of the elements with crossovers held, 1/s2
+        Vec3 axis;                        ///< normal of the first ply
+        double sine_squared;  ///< of the largest angle between contact and a normal; 1 where unknown
+    };
+
+    [[nodiscard]] Present present_state(const Model& model, const shell::Frequencies<double>& held,
+                                        std::span<const contact::PairForce> pairs,
+                                        const parallel::Communicator& comm);
+    [[nodiscard]] double joint(const Present& present, double in_plane, double sine_squared) const;
+    [[nodiscard]] shell::TighteningStart start_of(const Present& present, double worth) const;
+    [[nodiscard]] double attempt(const Model& model, const Present& present,
+                                 const shell::TighteningStart& start, const parallel::Communicator& comm);
     [[nodiscard]] double with_free_edges(double bound, double factor,
                                          const shell::TighteningStart& start) const;
     [[nodiscard]] shell::StiffeningTrigger trigger_of(const Model& model, double coupling, double bound,

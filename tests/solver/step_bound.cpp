@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include "weavefront/solver/coupling_on_edges.hpp"
 #include "weavefront/solver/flat_contact.hpp"
 #include "weavefront/solver/tight_step_bound.hpp"
+#include "weavefront/state/values.hpp"
 
 namespace weavefront::solver::test {
 
@@ -146,7 +148,7 @@ TEST(TightStepBound, IsOffUnlessItsPremisesHold) {
 TEST(TightStepBound, CouplesFlatFabricInWeakContact) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const std::vector<std::string> in_contact{
-        "projectile=", "contact={plies: {stiffness: 4e11 N/m^3, unloading: 1, damping: 0}}",
+        "projectile=", "contact={plies: {stiffness: 6e11 N/m^3, unloading: 1, damping: 0}}",
         "fabrics.kevlar129.thickness=0.82 mm", "target.plies.count=2"};
     auto alone = in_contact;
     alone[1] = "contact=";
@@ -217,6 +219,65 @@ TEST(StepBound, ShortensTheStepBeforeSlackYarnsAreStraight) { straighten("{cente
 // the warp.
 TEST(StepBound, ShortensTheStepWhereOnlyOblongElementsStraighten) {
     straighten("{center: 1 mm, edge: 3 mm, growth: 1.6}", 3e-3);
+}
+
+/// Stretches fill and warp by `strain` and turns both by `turn` towards each other.
+void deform(Simulation& simulation, const std::vector<Vec3>& at_rest, double strain, double turn) {
+    auto& model = simulation.model();
+    const double c = (1 + strain) * std::cos(turn), s = (1 + strain) * std::sin(turn);
+    for (std::size_t n = 0; n < at_rest.size(); ++n) {
+        const Vec3& X = at_rest[n];
+        model.nodes.x[n] = Vec3(c * X.x() + s * X.y(), s * X.x() + c * X.y(), X.z());
+    }
+    for (const auto& group : model.groups) {
+        shell::AlignedVector<double> forces(static_cast<std::size_t>(group->packs()) *
+                                            shell::forces_per_pack);
+        shell::Events events;
+        group->advance(0, group->packs(), model.nodes.x, forces, events);
+    }
+}
+
+/// The bound that goes on from the state of another.
+StepBound restored(StepBound& from, const scene::Scene& scene, const mesh::Panel& panel,
+                   const parallel::Communicator& comm) {
+    state::Values values;
+    state::ValueWriter writer(values, comm);
+    from.state(writer);
+    StepBound bound(scene, panel);
+    state::ValueReader reader(values, comm);
+    bound.state(reader);
+    return bound;
+}
+
+/// Fabric that is slack and taut in turn: bounds rise, fall, and are sought in vain. A bound that was saved
+/// after any call must give the same answers from then on, and have the same elements monitored.
+TEST(SavedState, HoldsAllThatTheStepBoundRemembers) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const auto scene = scene_with({"projectile=", "contact=", "fabrics.kevlar129.thickness=0.82 mm"});
+    Simulation simulation(scene, comm);
+    auto& model = simulation.model();
+    const std::vector<Vec3> at_rest(model.nodes.x.begin(), model.nodes.x.end());
+    StepBound whole(scene, simulation.panel());
+    const auto has_stiffened = [&](const StepBound& bound, double strain, double turn) {
+        bound.set_triggers(model);
+        deform(simulation, at_rest, strain, turn);
+        return std::ranges::any_of(model.groups, [](const auto& group) { return group->has_stiffened(); });
+    };
+    std::vector<StepBound> others;
+    for (int round = 0; round < 3; ++round)
+        for (const double strain : {0.0,  0.02, 0.04, 0.06, 0.05, 0.03, 0.0,  0.0,  0.06, 0.0, 0.04,
+                                    0.04, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12}) {
+            deform(simulation, at_rest, strain, 0);
+            const double bound = whole.frequency_squared(model, {}, comm);
+            for (auto& other : others) ASSERT_EQ(other.frequency_squared(model, {}, comm), bound);
+            others.push_back(restored(whole, scene, simulation.panel(), comm));
+            EXPECT_EQ(others.back().steps_to_next(), whole.steps_to_next());
+            constexpr double packed = 0.2;  // rad, beyond the locking angle
+            for (const auto& [more, turn] : {std::pair(0.0, 0.0), {0.002, 0.0}, {0.02, 0.0}, {0.0, packed}})
+                EXPECT_EQ(has_stiffened(others.back(), strain + more, turn),
+                          has_stiffened(whole, strain + more, turn))
+                    << strain << ' ' << more << ' ' << turn;
+        }
 }
 
 }  // namespace weavefront::solver::test

@@ -4,6 +4,8 @@ set(WEAVEFRONT_ARCH native CACHE STRING "Processor to build for, as given to -ma
 option(WEAVEFRONT_COVERAGE "Count the lines that are executed, for gcovr" OFF)
 set(WEAVEFRONT_MPI "" CACHE STRING "MPI to build with: openmpi, mpich; empty: the default of the system")
 option(WEAVEFRONT_FUZZ "Build the fuzz targets with libFuzzer; needs clang++" OFF)
+set(WEAVEFRONT_BOUND_WITHOUT nothing CACHE STRING  # tests/stability/parts.py measures what each part saves
+    "Part that the tight bound on the time step lacks: nothing, flat_contact, free_crossovers, coupling")
 set(WEAVEFRONT_SANITIZE "" CACHE STRING "Sanitizers to build with, as given to -fsanitize=")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

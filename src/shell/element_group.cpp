@@ -4,11 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "weavefront/fabric/cell.hpp"
+#include "weavefront/shell/inversion.hpp"
 #include "weavefront/shell/vector.hpp"
 
 namespace weavefront::shell {
 
 namespace {
+
+// Straight yarns are crimped ones of no height, and the state has the stresses of yarns without viscosity.
+constexpr fabric::Features any_yarns{.crimp = true, .viscous = true};
 
 std::vector<Quad<double>> quads_of(std::span<const GroupElement> elements) {
     std::vector<Quad<double>> quads;
@@ -27,19 +32,19 @@ HourglassStiffness hourglass_stiffness(const scene::Fabric& fabric) {
 }  // namespace
 
 ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements,
-                           const StateSizes& sizes, StateNames names)
+                           StateNames names)
     : size_(static_cast<std::int32_t>(elements.size())),
       packs_((size_ + pack_width - 1) / pack_width),
       hourglass_(hourglass_stiffness(fabric)),
       areal_density_(fabric.areal_density),
       nodes_(static_cast<std::size_t>(packs_)),
       quads_(quads_of(elements)),
-      packing_(packs_, sizes.packing, 0),
-      damage_(packs_, sizes.damage, 1),
-      changing_fields_(sizes.changing),
+      packing_(packs_, number_of(names.packing), 0),
+      damage_(packs_, number_of(names.damage), 1),
+      constants_(fabric::constants_of(fabric)),
       names_(std::move(names)) {
     const auto lanes = static_cast<std::size_t>(packs_) * pack_width;
-    state_.resize(lanes * static_cast<std::size_t>(sizes.changing));
+    state_.resize(lanes * names_.changing.size());
     hourglass_energy_.resize(lanes);
     for (std::size_t i = 0; i < lanes; ++i) {
         // Lanes beyond the last element have the geometry of the next repeat's start, and so need the nodes
@@ -53,39 +58,57 @@ ElementGroup::ElementGroup(const scene::Fabric& fabric, std::span<const GroupEle
     }
     for (const auto& element : elements)
         parallelograms_ = parallelograms_ && element.quad.e1 == 0 && element.quad.e2 == 0;
-    if (sizes.damage > 0)  // so that no filling lane outlives the element
+    if (damage_.fields() > 0)  // so that no filling lane outlives the element
         for (auto index = size_; index < packs_ * pack_width; ++index) take_out(index);
     runs_.shrink_to_fit();
 }
 
-void ElementGroup::tighten(const TighteningStart& start, std::span<const Eigen::Vector3d> x,
-                           TightBounds& bounds) const {
-    TightBounds own = start.least;
-    tighten_uniform(start, x, own);
-    for (std::size_t i = 0; i < null_lagrangians.size(); ++i) {
-        const double poorest = 1 - std::abs(null_lagrangians[i].mass);
-        bounds[i] = std::max(bounds[i], with_hourglass(parallelograms_, own[i], start.hourglass / poorest));
-    }
-}
-
-double ElementGroup::least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis,
-                                  double known, double enough) {
-    using fabric::Pack;
-    for (std::int32_t i = 0; i < packs_ && known > enough; ++i) {
-        const auto pack = i + steepest_ < packs_ ? i + steepest_ : i + steepest_ - packs_;
-        const auto corners = gather(pack, x);
-        const auto normal = cross(corners[2] - corners[0], corners[3] - corners[1]);
-        const Pack along = normal.x * axis.x() + normal.y * axis.y() + normal.z * axis.z();
-        const Pack facing =
-            along * fabric::abs(along) / dot(normal, normal);  // not a number where the element has no area
-        if (!fabric::any(facing < known)) continue;
+std::int64_t ElementGroup::inverted(std::span<const Eigen::Vector3d> x) const {
+    std::int64_t count = 0;
+    for (std::int32_t pack = 0; pack < packs_; ++pack) {
+        const auto folded = is_inverted(corners(pack, x));
+        if (!fabric::any(folded)) continue;
         for (int lane = 0; lane < pack_width; ++lane) {
             const auto index = pack * pack_width + lane;
-            if (facing.get(lane) < known && index < size_ && alive(index)) known = facing.get(lane);
+            count += index < size_ && folded.get(lane) && alive(index) ? 1 : 0;
         }
-        if (!(known > enough)) steepest_ = pack;
     }
-    return known;
+    return count;
+}
+
+IntactYarns ElementGroup::intact_yarns(std::int32_t index) const {
+    if (damage_.fields() == 0) return {};
+    const auto is_intact = [&](int field) {
+        return damage_.get(index / pack_width, field, index % pack_width) != 0;
+    };
+    return {is_intact(alive_field + 1), is_intact(alive_field + 2)};
+}
+
+ElementEnergy ElementGroup::energy(std::int32_t index) const {
+    const auto state = element_state(index);
+    const double size = area(index);
+    return {state.work * size, hourglass_energy(index), state.friction_work * size};
+}
+
+ElementOutput ElementGroup::output(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
+    const auto state = element_state(index);
+    const auto yarns = fabric::yarn_state<any_yarns>(constants_, state);
+    std::array<Vector<double>, 4> corners;
+    for (std::size_t a = 0; a < 4; ++a) {
+        const auto node = nodes(index / pack_width)[a][static_cast<std::size_t>(index % pack_width)];
+        const auto& at = x[static_cast<std::size_t>(node)];
+        corners[a] = {at.x(), at.y(), at.z()};
+    }
+    const auto k = kinematics_of(whole_quad(index), corners);
+    const double cos_2theta = dot(k.g_f, k.g_w) / std::sqrt(dot(k.g_f, k.g_f) * dot(k.g_w, k.g_w));
+    return {yarns.eps_f,
+            yarns.eps_w,
+            yarns.sigma_f,
+            yarns.sigma_w,
+            std::acos(std::clamp(cos_2theta, -1.0, 1.0)) / 2,
+            state.h_f,
+            state.intact_f == 0,
+            state.intact_w == 0};
 }
 
 std::int32_t ElementGroup::element(std::int32_t index) const {
@@ -93,10 +116,15 @@ std::int32_t ElementGroup::element(std::int32_t index) const {
     return run->element + (index - run->first);
 }
 
+int ElementGroup::place_of(std::string_view field) const {
+    const auto at = std::ranges::find(names_.changing, field);
+    return at == names_.changing.end() ? -1 : static_cast<int>(at - names_.changing.begin());
+}
+
 void ElementGroup::fill_lanes(std::int32_t index) {
     for (auto filling = size_; filling < packs_ * pack_width; ++filling) {
         if (filling % quads_.repeat_length() != index) continue;
-        for (int field = 0; field < changing_fields_; ++field)
+        for (int field = 0; field < number_of(names_.changing); ++field)
             state_[slot(filling, field)] = state_[slot(index, field)];
         for (auto* blocks : {&packing_, &damage_})
             for (int field = 0; field < blocks->fields(); ++field)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,6 +11,11 @@
 #include <vector>
 
 #include "small_scene.hpp"
+#include "weavefront/solver/contact_modes.hpp"
+#include "weavefront/solver/coupling_on_edges.hpp"
+#include "weavefront/solver/flat_contact.hpp"
+#include "weavefront/solver/tight_step_bound.hpp"
+#include "weavefront/state/values.hpp"
 
 namespace weavefront::solver::test {
 
@@ -126,6 +132,58 @@ TEST(FreeEdges, AddTheEigenvalueOfWhatIsLeftOnThem) {
         }
 }
 
+TEST(TightStepBound, IsOffUnlessItsPremisesHold) {
+    const std::vector<std::string> straight_alone{"projectile=", "contact=", "fabrics.kevlar129.thickness=0",
+                                                  "fabrics.kevlar129.friction=0",
+                                                  "fabrics.kevlar129.lateral="};
+    EXPECT_FALSE(TightStepBound::may_hold(scene_with(straight_alone)));
+    EXPECT_FALSE(TightStepBound::may_hold(
+        scene_with({"projectile=", "contact=", "fabrics.kevlar129.formulation=paper"})));
+    EXPECT_TRUE(TightStepBound::may_hold(scene_with({"projectile=", "contact="})));  // crimp and packing
+    EXPECT_TRUE(TightStepBound::may_hold(scene_with({"fabrics.kevlar129.formulation=paper"})));  // contact
+}
+
+/// Flat fabric without coupling has the bound max(in_plane, out_of_plane + contact). Where contact is weak,
+/// the bound with coupling and contact in any direction is lower: that of the fabric alone plus contact.
+TEST(TightStepBound, CouplesFlatFabricInWeakContact) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const std::vector<std::string> in_contact{
+        "projectile=", "contact={plies: {stiffness: 6e11 N/m^3, unloading: 1, damping: 0}}",
+        "fabrics.kevlar129.thickness=0.82 mm", "target.plies.count=2"};
+    auto alone = in_contact;
+    alone[1] = "contact=";
+    const auto bound = [&](const std::vector<std::string>& overrides) {
+        const auto scene = scene_with(overrides);
+        Simulation simulation(scene, comm);
+        return StepBound(scene, simulation.panel()).frequency_squared(simulation.model(), {}, comm);
+    };
+    const double fabric = bound(alone), contact = contact_modes(scene_with(in_contact)).stiffness;
+    EXPECT_GT(contact, 0.1 * fabric);
+    constexpr double in_steps = 2.0 / 512;  // of the bound, and of the search for the best coupling
+    EXPECT_LE(bound(in_contact), (fabric + contact) * (1 + 2 * in_steps));
+}
+
+/// A ply folded along x = 0: its halves lean by an angle, and its corners stay at one height.
+TEST(FlatContact, SeesTwiceTheLeanOfTheSteepestElement) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    for (const double lean : {0.0, 0.1, -0.3, 0.9}) {
+        Simulation simulation(scene_with({"projectile=", "contact="}), comm);
+        set_motion(
+            simulation,
+            [&](const Vec3& x) {
+                return Vec3(x.x() * std::cos(lean), x.y(), std::abs(x.x()) * std::sin(lean));
+            },
+            [](const Vec3&) { return Vec3(Vec3::Zero()); });
+        FlatContact contact(simulation.panel());
+        const Vec3 axis = contact.axis(simulation.model(), comm);
+        EXPECT_NEAR(axis.z(), 1, 1e-15) << lean;
+        const double beyond_45_degrees = 1, expected = std::abs(lean) > std::numbers::pi / 4
+                                                           ? beyond_45_degrees
+                                                           : std::pow(std::sin(2 * lean), 2);
+        EXPECT_NEAR(contact.sine_squared(simulation.model(), axis, {}, comm), expected, 1e-13) << lean;
+    }
+}
+
 /// Pulls the fill of slack fabric straight within 20 steps, where |y| is at least `from`. Between two checks
 /// a step may be longer than the present state allows by half of what the safety factor leaves.
 void straighten(const std::string& mesh, double from) {
@@ -161,6 +219,65 @@ TEST(StepBound, ShortensTheStepBeforeSlackYarnsAreStraight) { straighten("{cente
 // the warp.
 TEST(StepBound, ShortensTheStepWhereOnlyOblongElementsStraighten) {
     straighten("{center: 1 mm, edge: 3 mm, growth: 1.6}", 3e-3);
+}
+
+/// Stretches fill and warp by `strain` and turns both by `turn` towards each other.
+void deform(Simulation& simulation, const std::vector<Vec3>& at_rest, double strain, double turn) {
+    auto& model = simulation.model();
+    const double c = (1 + strain) * std::cos(turn), s = (1 + strain) * std::sin(turn);
+    for (std::size_t n = 0; n < at_rest.size(); ++n) {
+        const Vec3& X = at_rest[n];
+        model.nodes.x[n] = Vec3(c * X.x() + s * X.y(), s * X.x() + c * X.y(), X.z());
+    }
+    for (const auto& group : model.groups) {
+        shell::AlignedVector<double> forces(static_cast<std::size_t>(group->packs()) *
+                                            shell::forces_per_pack);
+        shell::Events events;
+        group->advance(0, group->packs(), model.nodes.x, forces, events);
+    }
+}
+
+/// The bound that goes on from the state of another.
+StepBound restored(StepBound& from, const scene::Scene& scene, const mesh::Panel& panel,
+                   const parallel::Communicator& comm) {
+    state::Values values;
+    state::ValueWriter writer(values, comm);
+    from.state(writer);
+    StepBound bound(scene, panel);
+    state::ValueReader reader(values, comm);
+    bound.state(reader);
+    return bound;
+}
+
+/// Fabric that is slack and taut in turn: bounds rise, fall, and are sought in vain. A bound that was saved
+/// after any call must give the same answers from then on, and have the same elements monitored.
+TEST(SavedState, HoldsAllThatTheStepBoundRemembers) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const auto scene = scene_with({"projectile=", "contact=", "fabrics.kevlar129.thickness=0.82 mm"});
+    Simulation simulation(scene, comm);
+    auto& model = simulation.model();
+    const std::vector<Vec3> at_rest(model.nodes.x.begin(), model.nodes.x.end());
+    StepBound whole(scene, simulation.panel());
+    const auto has_stiffened = [&](const StepBound& bound, double strain, double turn) {
+        bound.set_triggers(model);
+        deform(simulation, at_rest, strain, turn);
+        return std::ranges::any_of(model.groups, [](const auto& group) { return group->has_stiffened(); });
+    };
+    std::vector<StepBound> others;
+    for (int round = 0; round < 3; ++round)
+        for (const double strain : {0.0,  0.02, 0.04, 0.06, 0.05, 0.03, 0.0,  0.0,  0.06, 0.0, 0.04,
+                                    0.04, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12, 0.12}) {
+            deform(simulation, at_rest, strain, 0);
+            const double bound = whole.frequency_squared(model, {}, comm);
+            for (auto& other : others) ASSERT_EQ(other.frequency_squared(model, {}, comm), bound);
+            others.push_back(restored(whole, scene, simulation.panel(), comm));
+            EXPECT_EQ(others.back().steps_to_next(), whole.steps_to_next());
+            constexpr double packed = 0.2;  // rad, beyond the locking angle
+            for (const auto& [more, turn] : {std::pair(0.0, 0.0), {0.002, 0.0}, {0.02, 0.0}, {0.0, packed}})
+                EXPECT_EQ(has_stiffened(others.back(), strain + more, turn),
+                          has_stiffened(whole, strain + more, turn))
+                    << strain << ' ' << more << ' ' << turn;
+        }
 }
 
 }  // namespace weavefront::solver::test

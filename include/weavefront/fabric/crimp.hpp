@@ -137,33 +137,33 @@ template <class Real, class Balance, class Search = StatedSearch>
 [[nodiscard]] WEAVEFRONT_INLINE Real balance_crossover(const Balance& balance, const Real& lower,
                                                        const Real& upper, double half_thickness,
                                                        int* evaluations = nullptr, Search search = {}) {
-    using Mask = MaskOf<Real>;
+    using Flags = MaskOf<Real>;
     Real delta = 0.0;
     Imbalance<Real> now = balance(delta);
-    const Mask falls = now.force > 0.0;
+    const Flags falls = now.force > 0.0;
     const Real bound = select(falls, lower, upper);
     Real low = select(falls, lower, Real(0.0));
     Real high = select(falls, Real(0.0), upper);
-    Mask open = ((now.force > 0.0) | (now.force < 0.0)) & (low < high);
-    Mask bound_untried = open;
+    Flags open = ((now.force > 0.0) | (now.force < 0.0)) & (low < high);
+    Flags bound_untried = open;
     int count = 1;
     for (; any(open) && count < evaluation_limit; ++count) {
         const Real newton = delta - now.newton;
-        Mask inside = (newton > low) & (newton < high);
-        const Mask last = (inside & (abs(now.newton) <= search.tolerance() * half_thickness)) |
-                          (high - low <= bracket_tolerance * half_thickness);
+        Flags inside = (newton > low) & (newton < high);
+        const Flags last = (inside & (abs(now.newton) <= search.tolerance() * half_thickness)) |
+                           (high - low <= bracket_tolerance * half_thickness);
         if (count > newton_limit) inside = inside & last;
-        const Mask at_bound = open & (!inside) & (!last) & bound_untried;
+        const Flags at_bound = open & (!inside) & (!last) & bound_untried;
         const Real elsewhere = select(at_bound, bound, Real(0.5 * (low + high)));
         delta = select(open, select(inside, newton, elsewhere), delta);
         open = open & (!last);
         if (!any(open)) break;
         now = balance(delta);
-        const Mask above = now.force > 0.0, below = now.force < 0.0;
+        const Flags above = now.force > 0.0, below = now.force < 0.0;
         high = select(open & above, delta, high);
         low = select(open & below, delta, low);
         // no change of sign up to the bound: the bound is the answer, and so is a bound that balances
-        const Mask same_sign = (falls & above) | ((!falls) & below);
+        const Flags same_sign = (falls & above) | ((!falls) & below);
         open = open & (above | below) & (!(at_bound & same_sign));
         bound_untried = bound_untried & (!at_bound);
     }

@@ -48,23 +48,20 @@ WEAVEFRONT_INLINE Real largest_eigenvalue(const std::array<Real, 3>& M, const st
     return trace * 0.5 + sqrt(max(Real(0.0), Real(trace * trace * 0.25 - determinant)));
 }
 
-/// B_f . B_f, B_f . B_w and B_w . B_w over the corners, each over the corner's part of the element's mass,
-/// 1/m2.
-/// @param w13, w24 inverse parts of corners 1 and 3, 2 and 4: 1 where each has a quarter
+/// B_f . B_f, B_f . B_w and B_w . B_w over the corners, 1/m2.
 template <class Real>
-WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad, const Real& w13 = 1.0,
-                                                        const Real& w24 = 1.0) {
-    const Real f1 = w13 * quad.Bf1, f2 = w24 * quad.Bf2;
-    return {2.0 * (f1 * quad.Bf1 + f2 * quad.Bf2), 2.0 * (f1 * quad.Bw1 + f2 * quad.Bw2),
-            2.0 * (w13 * quad.Bw1 * quad.Bw1 + w24 * quad.Bw2 * quad.Bw2)};
+WEAVEFRONT_INLINE std::array<Real, 3> gradient_products(const Quad<Real>& quad) {
+    return {2.0 * (quad.Bf1 * quad.Bf1 + quad.Bf2 * quad.Bf2),
+            2.0 * (quad.Bf1 * quad.Bw1 + quad.Bf2 * quad.Bw2),
+            2.0 * (quad.Bw1 * quad.Bw1 + quad.Bw2 * quad.Bw2)};
 }
 
 /// From bounds k of the cell's tangent with crossovers held.
 ///
-/// In the plane the quadratic form of uniform deformation is at most sum M_ij |dg_i| |dg_j| over the yarn
-/// vectors with M_ff = k_f + k_lateral + k_angle/lambda_f^2, M_fw = k_angle/(lambda_f lambda_w), because |d(2
-/// theta)| <= |dg_f|/lambda_f + |dg_w|/lambda_w. With dg = B du and G = B B^T the frequency is 4 lambda_max(M
-/// G)/areal density, and so it is out of the plane.
+/// In the plane the second variation is at most sum M_ij |dg_i| |dg_j| over the yarn vectors, because
+/// |d(2 theta)| <= |dg_f|/lambda_f + |dg_w|/lambda_w. Here M_ff = k_f + k_lateral + k_angle/lambda_f^2 and
+/// M_fw = k_angle/(lambda_f lambda_w). With dg = B du and G = B B^T, omega^2 is 4 lambda_max(M G)/areal
+/// density. Out of the plane k.normal takes the place of M.
 template <class Real>
 WEAVEFRONT_INLINE Frequencies<Real> critical_frequencies(const Quad<Real>& quad,
                                                          const fabric::Stiffness<Real>& k,

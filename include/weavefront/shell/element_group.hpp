@@ -3,20 +3,21 @@
 /// The elements of one fabric on one rank, in packs of eight.
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "weavefront/fabric/features.hpp"
+#include "weavefront/fabric/constants.hpp"
+#include "weavefront/fabric/state.hpp"
 #include "weavefront/fabric/vectors.hpp"
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/shell/aligned_vector.hpp"
+#include "weavefront/shell/critical_frequency.hpp"
 #include "weavefront/shell/hourglass.hpp"
-#include "weavefront/shell/null_lagrangian.hpp"
 #include "weavefront/shell/pack_blocks.hpp"
 #include "weavefront/shell/quad.hpp"
 #include "weavefront/shell/repeated_quads.hpp"
@@ -54,7 +55,7 @@ struct ElementEnergy {
     double work = 0, hourglass = 0, friction = 0;  ///< J
 };
 
-/// What results show of one element.
+/// Output of one element.
 struct ElementOutput {
     double strain_fill, strain_warp;  ///< 1
     double stress_fill, stress_warp;  ///< of the yarns, Pa
@@ -78,24 +79,20 @@ struct IntactYarns {
     bool fill = true, warp = true;
 };
 
-/// Stored fields of a fabric's state, by how many packs need them.
-struct StateSizes {
-    int changing, packing,
-        damage;  ///< of damage with that of the element, none where the fabric does not break
-};
-
-/// Names of these fields, in the order in which they are stored.
+/// Names of the stored fields of a fabric's state, in the order in which they are stored.
 struct StateNames {
-    std::vector<const char*> changing, packing, damage;
+    std::vector<const char*> changing;  ///< of every pack
+    std::vector<const char*> packing;   ///< of packs whose yarns are packed
+    std::vector<const char*> damage;    ///< of packs with a broken yarn; empty: the fabric does not break
 };
 
-/// State and kernel of the elements that share a fabric. What the fabric does not ask for has neither state
-/// nor code here.
+/// State and kernel of the elements that share a fabric. A feature that the fabric does not ask for has
+/// neither state nor code here.
 class ElementGroup {
   public:
     virtual ~ElementGroup() = default;
 
-    /// Number of packs; where the last one is not full, elements of before fill its lanes.
+    /// Number of packs. Copies of earlier elements fill the rest of the last one.
     [[nodiscard]] std::int32_t packs() const { return packs_; }
     [[nodiscard]] std::int32_t size() const { return size_; }
     /// Local element of lane index % 8 of pack index / 8, ascending.
@@ -123,56 +120,33 @@ class ElementGroup {
     /// present state with all crossovers held.
     [[nodiscard]] virtual Frequencies<double> frequencies() const = 0;
 
-    /// Whether `tighten` may find less by free crossovers and a coupling of fill and warp: yarns are crimped,
-    /// in the consistent formulation.
-    [[nodiscard]] virtual bool is_crimped() const = 0;
-    /// Whether it may by redistributed mass: yarns are packed.
-    [[nodiscard]] virtual bool is_packed() const = 0;
-
-    /// Raises tighter bounds on `along` for each of `null_lagrangians` by those of the alive elements, with
-    /// the crossovers that are free let go.
-    /// @param x positions of the local nodes, m
-    void tighten(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const;
-
-    /// omega^2 in the plane of the alive elements if their yarns were slack and at right angles, 1/s2; 0
-    /// where `tighten` lets no crossover go. It follows from the stretches and the crossover alone, and rises
-    /// when slack yarns straighten.
-    [[nodiscard]] virtual double slack_frequency(const NullLagrangian& term, double smallest_area) const = 0;
-
-    /// What makes yarns stiffer than the bounds allow for, to be looked out for from now on. By default
-    /// nothing.
-    struct StiffeningTrigger {
-        double slack = std::numeric_limits<double>::infinity();  ///< the first slack_frequency above it, 1/s2
-        NullLagrangian term{};
-        double smallest_area = 0;  ///< m2
-        bool packing = false;      ///< the first packed yarns, where none of any rank are
+    /// Checks the stiffness of elements as soon as a step has advanced them, while their state is in the
+    /// cache.
+    class Monitor {
+      public:
+        virtual ~Monitor() = default;
+        /// @param first, count packs that have been advanced; a step begins with pack 0
+        virtual void check(std::int32_t first, std::int32_t count) = 0;
+        /// Whether the last step has made elements stiffer than the bound on the time step allows for.
+        [[nodiscard]] virtual bool has_stiffened() const = 0;
     };
-    void set_trigger(const StiffeningTrigger& trigger) { trigger_ = trigger; }
-    /// Whether it has come, in the last step of all elements.
-    [[nodiscard]] bool has_stiffened() const {
-        return has_straightened_ || (trigger_.packing && is_packed());
-    }
-
-    /// Least n |n| over the alive elements, n the cosine of the angle between the element's normal and
-    /// `axis`, of unit length; at most `known`. It stops looking where it finds less than `enough`. @param x
-    /// positions of the local nodes, m
-    [[nodiscard]] double least_facing(std::span<const Eigen::Vector3d> x, const Eigen::Vector3d& axis,
-                                      double known, double enough);
+    /// @param monitor of this group; null: the stiffness is not checked
+    void set_monitor(std::unique_ptr<Monitor> monitor) { monitor_ = std::move(monitor); }
+    [[nodiscard]] bool has_stiffened() const { return monitor_ && monitor_->has_stiffened(); }
 
     /// Number of alive elements that are folded over themselves. @param x positions of the local nodes, m
-    [[nodiscard]] virtual std::int64_t inverted(std::span<const Eigen::Vector3d> x) const = 0;
+    [[nodiscard]] std::int64_t inverted(std::span<const Eigen::Vector3d> x) const;
 
-    [[nodiscard]] virtual IntactYarns intact_yarns(std::int32_t index) const = 0;
-    [[nodiscard]] virtual ElementEnergy energy(std::int32_t index) const = 0;
+    [[nodiscard]] IntactYarns intact_yarns(std::int32_t index) const;
+    [[nodiscard]] ElementEnergy energy(std::int32_t index) const;
     /// @param x positions of the local nodes, m
-    [[nodiscard]] virtual ElementOutput output(std::int32_t index,
-                                               std::span<const Eigen::Vector3d> x) const = 0;
+    [[nodiscard]] ElementOutput output(std::int32_t index, std::span<const Eigen::Vector3d> x) const;
 
     /// All state of an element, for an archive of module `state`. Lanes that fill the last pack follow the
     /// element that they copy.
     template <class Archive>
     void state(Archive& archive, std::int32_t index) {
-        for (int field = 0; field < changing_fields_; ++field)
+        for (int field = 0; field < number_of(names_.changing); ++field)
             archive(names_.changing[static_cast<std::size_t>(field)], state_[slot(index, field)]);
         const auto of_blocks = [&](PackBlocks& blocks, const std::vector<const char*>& names) {
             for (int field = 0; field < blocks.fields(); ++field) {
@@ -187,17 +161,54 @@ class ElementGroup {
         archive("hourglass_energy", hourglass_energy_[static_cast<std::size_t>(index)]);
         if constexpr (Archive::reads) fill_lanes(index);
     }
+    /// State of a pack, or of one of its elements, with the yarns' stresses. Fields that the fabric does not
+    /// ask for have their values at rest.
+    [[nodiscard]] virtual fabric::State<fabric::Pack> pack_state(std::int32_t pack) const = 0;
+    [[nodiscard]] virtual fabric::State<double> element_state(std::int32_t index) const = 0;
+    /// Whether any yarns are packed; of the consistent formulation.
+    [[nodiscard]] bool any_packed() const { return packing_.any(); }
 
-    /// Takes an element of a fabric that breaks out; what it leaves behind.
+    [[nodiscard]] const fabric::Constants& constants() const { return constants_; }
+    [[nodiscard]] double areal_density() const { return areal_density_; }
+    /// Whether all elements are parallelograms.
+    [[nodiscard]] bool parallelograms() const { return parallelograms_; }
+    [[nodiscard]] const RepeatedQuads& quads() const { return quads_; }
+    /// Place of a field among those stored with every pack; -1: not among them.
+    [[nodiscard]] int place_of(std::string_view field) const;
+    /// The fields stored with every pack, eight lanes each; 64-byte aligned.
+    [[nodiscard]] const double* changing_fields(std::int32_t pack) const {
+        return state_.data() + slot(pack * pack_width, 0);
+    }
+    /// What damage has left of a pack: of its elements, its fills and its warps, eight lanes each; null: all.
+    [[nodiscard]] const double* damage(std::int32_t pack) const {
+        return damage_.fields() > 0 ? damage_.find(pack) : nullptr;
+    }
+    /// Corners of a pack's elements. @param x positions of the local nodes, m
+    [[nodiscard]] WEAVEFRONT_INLINE std::array<Vector<fabric::Pack>, 4> corners(
+        std::int32_t pack, std::span<const Eigen::Vector3d> x) const {
+        std::array<Vector<fabric::Pack>, 4> corners;
+        for (std::size_t a = 0; a < 4; ++a) {
+            const auto [px, py, pz] = fabric::gather_vectors(x[0].data(), nodes(pack)[a]);
+            corners[a] = {px, py, pz};
+        }
+        return corners;
+    }
+    /// Calls with each pack and with the place of its geometry in `quads`.
+    template <class Call>
+    WEAVEFRONT_INLINE void for_packs(std::int32_t first, std::int32_t count, Call call) const {
+        auto at = first * pack_width % quads_.repeat_length();
+        for (auto pack = first; pack < first + count; ++pack) {
+            call(pack, at);
+            at += pack_width;
+            if (at >= quads_.repeat_length()) at %= quads_.repeat_length();
+        }
+    }
+
+    /// Erodes an element of a fabric that breaks. @return the energies that it leaves behind
     Events::Erosion erode(std::int32_t index);
 
   protected:
-    /// What `tighten` does, of uniform deformation alone: without hourglass modes.
-    virtual void tighten_uniform(const TighteningStart& start, std::span<const Eigen::Vector3d> x,
-                                 TightBounds& bounds) const = 0;
-
-    ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, const StateSizes& sizes,
-                 StateNames names);
+    ElementGroup(const scene::Fabric& fabric, std::span<const GroupElement> elements, StateNames names);
 
     /// Reference geometry of an element, eroded or not.
     [[nodiscard]] Quad<double> whole_quad(std::int32_t index) const {
@@ -209,22 +220,10 @@ class ElementGroup {
     [[nodiscard]] double hourglass_energy(std::int32_t index) const {
         return hourglass_energy_[static_cast<std::size_t>(index)];
     }
-    std::size_t slot(std::int32_t index, int field) const {
+    [[nodiscard]] std::size_t slot(std::int32_t index, int field) const {
         const auto pack = static_cast<std::size_t>(index / pack_width),
                    lane = static_cast<std::size_t>(index % pack_width);
-        return (pack * static_cast<std::size_t>(changing_fields_) + static_cast<std::size_t>(field)) *
-                   pack_width +
-               lane;
-    }
-    /// Corners of a pack's elements.
-    [[nodiscard]] WEAVEFRONT_INLINE std::array<Vector<fabric::Pack>, 4> gather(
-        std::int32_t pack, std::span<const Eigen::Vector3d> x) const {
-        std::array<Vector<fabric::Pack>, 4> corners;
-        for (std::size_t a = 0; a < 4; ++a) {
-            const auto [px, py, pz] = fabric::gather_vectors(x[0].data(), nodes(pack)[a]);
-            corners[a] = {px, py, pz};
-        }
-        return corners;
+        return (pack * names_.changing.size() + static_cast<std::size_t>(field)) * pack_width + lane;
     }
     void take_out(std::int32_t index) { damage_.set(index / pack_width, alive_field, index % pack_width, 0); }
 
@@ -240,8 +239,8 @@ class ElementGroup {
     AlignedVector<double> state_, hourglass_energy_;
     PackBlocks packing_;  ///< zeros in packs whose yarns do not pack
     PackBlocks damage_;   ///< ones in packs that are whole
-    StiffeningTrigger trigger_;
-    bool has_straightened_ = false;
+    std::unique_ptr<Monitor> monitor_;
+    fabric::Constants constants_;
 
   private:
     /// Elements of consecutive local indices.
@@ -249,13 +248,15 @@ class ElementGroup {
         std::int32_t first, element;  ///< index in the group, local index in the part
     };
 
+    [[nodiscard]] static int number_of(const std::vector<const char*>& fields) {
+        return static_cast<int>(fields.size());
+    }
+
     /// Copies an element's state to the lanes that stand for it in the last pack.
     void fill_lanes(std::int32_t index);
 
-    int changing_fields_;
     StateNames names_;
     std::vector<Run> runs_;
-    std::int32_t steepest_ = 0;  // pack in which least_facing found enough, to start from
 };
 
 /// The group with exactly the features that the fabric asks for.

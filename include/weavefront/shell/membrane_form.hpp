@@ -11,8 +11,8 @@
 
 namespace weavefront::shell {
 
-/// Second variation over the reference shape, in blocks of two for the changes of the fill's and of the
-/// warp's vector, in the fill's axes: its largest eigenvalue is omega^2 of uniform deformation in the plane.
+/// Second variation of uniform deformation in the plane; its largest eigenvalue is omega^2. Blocks of two
+/// belong to the changes of the fill's and of the warp's vector, in the fill's axes.
 template <class Real>
 struct MembraneForm {
     Real ff11, ff12, ff22, fw11, fw12, fw21, fw22, ww11, ww12, ww22;  ///< 1/s2

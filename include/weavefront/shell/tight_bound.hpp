@@ -1,0 +1,50 @@
+#pragma once
+/// @file
+/// A tighter bound on the frequency of a group of elements than ElementGroup::frequencies.
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+
+#include "weavefront/fabric/vectors.hpp"
+#include "weavefront/shell/coupling.hpp"
+#include "weavefront/shell/element_group.hpp"
+
+namespace weavefront::shell {
+
+/// Bounds omega^2 of motion in the elements' planes with free crossovers and a coupling of fill and warp.
+/// It views the group's present state. Only the consistent formulation has the tangent that the bound needs.
+class TightBound {
+  public:
+    /// @param group of the consistent formulation; it outlives the bound
+    explicit TightBound(const ElementGroup& group);
+
+    /// Raises the bounds by those of the alive elements, for each of `couplings` up to its limit.
+    /// @param x positions of the local nodes, m
+    void raise(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const;
+
+    /// omega^2 of the alive elements as if their yarns were slack and at right angles, 1/s2; 0 where the
+    /// fabric has no crimp. It depends on the stretches and the crossover alone.
+    /// @param coupling one of `couplings`
+    [[nodiscard]] double slack_frequency(double coupling) const;
+
+  private:
+    void raise(std::int32_t pack, std::int32_t at, const TighteningStart& start,
+               const std::array<Vector<fabric::Pack>, 4>& x, TightBounds& bounds) const;
+
+    const ElementGroup& group_;
+    double coupling_at_rest_;  ///< N/m
+};
+
+/// What makes elements stiffer than a tight bound allows for.
+struct StiffeningTrigger {
+    double slack_frequency = 0;  ///< omega^2 of slack yarns, 1/s2: above it they have straightened
+    double coupling = 0;         ///< of `couplings`, for which that holds
+    bool packing = false;        ///< the first packed yarns, where none of any rank are
+};
+
+/// Checks the trigger in every step. @param group outlives the monitor
+std::unique_ptr<ElementGroup::Monitor> monitor_stiffening(const ElementGroup& group,
+                                                          const StiffeningTrigger& trigger);
+
+}  // namespace weavefront::shell

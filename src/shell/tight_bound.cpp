@@ -1,0 +1,160 @@
+#include "weavefront/shell/tight_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "largest_lane.hpp"
+#include "slack_form.hpp"
+#include "weavefront/shell/membrane_form.hpp"
+
+namespace weavefront::shell {
+
+namespace {
+
+using fabric::Pack;
+
+// One code for all fabrics: what a fabric does not ask for is at rest in its state, and adds nothing.
+constexpr fabric::Features any_fabric{.formulation = scene::Formulation::consistent,
+                                      .crimp = true,
+                                      .viscous = true,
+                                      .lateral = true,
+                                      .friction = true,
+                                      .failure = true};
+
+/// A pack on the way to its tight bound for one coupling.
+struct CoupledPack {
+    fabric::Mask alive;
+    MembraneForm<Pack> form;
+    Pack c;       ///< part of the coupling in the element's plane, N/m
+    Pack tilted;  ///< square of the rest, which couples motion in the plane and out of it, 1/s4; 0: not
+                  ///< inclined
+    double out_of_plane;  ///< 1/s2
+
+    /// Whether omega_squared is no bound. Motion out of the plane is eliminated: it takes its part
+    /// `tilted`/rest from omega_squared.
+    [[nodiscard]] WEAVEFRONT_INLINE fabric::Mask above(double omega_squared) const {
+        const Pack rest = omega_squared - out_of_plane;
+        const auto is_tilted = tilted > 0.0;
+        const Pack in_plane = omega_squared - select(is_tilted, Pack(tilted / rest), Pack(0.0));
+        return alive & ((is_tilted & (rest <= 0.0)) | exceeds(form, in_plane, c));
+    }
+
+    /// The bound of a lane by its eigenvalue; a little below, so that `above` decides.
+    [[nodiscard]] double bound(int lane) const {
+        const auto get = [&](const Pack& value) { return value.get(lane); };
+        const MembraneForm<double> of_lane{get(form.ff11), get(form.ff12), get(form.ff22), get(form.fw11),
+                                           get(form.fw12), get(form.fw21), get(form.fw22), get(form.ww11),
+                                           get(form.ww12), get(form.ww22), get(form.area)};
+        const double in_plane = largest_eigenvalue(of_lane, get(c)), half = (in_plane - out_of_plane) / 2;
+        const double both =
+            get(tilted) > 0 ? (in_plane + out_of_plane) / 2 + std::sqrt(half * half + get(tilted)) : in_plane;
+        return in_steps(both * (1 - 1e-12));
+    }
+};
+
+/// Raises `known` to the first step that bounds the pack: one step after the other, or, where the steps are
+/// many, by eigenvalues.
+void raise_to(double& known, const CoupledPack& pack, double limit) {
+    constexpr int single_steps = 16;
+    int steps = 0;
+    for (auto above = pack.above(known); fabric::any(above); above = pack.above(known)) {
+        double higher = in_steps(known * (1 + 1e-9));
+        for (int lane = 0; lane < pack_width && steps >= single_steps; ++lane) {
+            const double bound = above.get(lane) ? pack.bound(lane) : 0.0;
+            higher = bound < limit ? std::max(higher, bound) : limit;  // also where it is not a number
+        }
+        ++steps;
+        known = std::min(higher, limit);
+        if (known == limit) return;
+    }
+}
+
+/// Detects slack yarns that straighten, and the first packed yarns.
+class StiffeningMonitor final : public ElementGroup::Monitor {
+  public:
+    StiffeningMonitor(const ElementGroup& group, const StiffeningTrigger& trigger)
+        : group_(group), yarns_(group, trigger.coupling), trigger_(trigger) {}
+
+    void check(std::int32_t first, std::int32_t count) override {
+        if (first == 0) has_straightened_ = false;
+        if (!SlackYarns::any_in(group_)) return;  // straight from the start
+        group_.for_packs(first, count, [&](std::int32_t pack, std::int32_t at) {
+            if (!has_straightened_)
+                has_straightened_ = fabric::any(yarns_.form(pack, at).above(trigger_.slack_frequency));
+        });
+    }
+
+    [[nodiscard]] bool has_stiffened() const override {
+        return has_straightened_ || (trigger_.packing && group_.any_packed());
+    }
+
+  private:
+    const ElementGroup& group_;
+    SlackYarns yarns_;
+    StiffeningTrigger trigger_;
+    bool has_straightened_ = false;
+};
+
+}  // namespace
+
+TightBound::TightBound(const ElementGroup& group)
+    : group_(group), coupling_at_rest_(fabric::coupling_at_rest(group.constants())) {}
+
+void TightBound::raise(const TighteningStart& start, std::span<const Eigen::Vector3d> x,
+                       TightBounds& bounds) const {
+    TightBounds uniform = start.least;  // without hourglass modes
+    group_.for_packs(0, group_.packs(), [&](std::int32_t pack, std::int32_t at) {
+        if (!std::ranges::equal(uniform, start.limits, std::greater_equal()))
+            raise(pack, at, start, group_.corners(pack, x), uniform);
+    });
+    for (std::size_t i = 0; i < couplings.size(); ++i)
+        bounds[i] = std::max(bounds[i], with_hourglass(group_.parallelograms(), uniform[i], start.hourglass));
+}
+
+void TightBound::raise(std::int32_t pack, std::int32_t at, const TighteningStart& start,
+                       const std::array<Vector<Pack>, 4>& x, TightBounds& bounds) const {
+    const auto quad = group_.quads().pack_from(at);
+    const auto* damage = group_.damage(pack);
+    const auto alive = damage ? Pack(quad.area * Pack::load(damage)) > 0.0 : quad.area > 0.0;
+    const auto state = group_.pack_state(pack);
+    const auto tangent = fabric::tangent_bound<any_fabric>(group_.constants(), state);
+    const auto k = kinematics_of(quad, x);
+    const auto normal = cross(k.g_f, k.g_w);
+    const Pack tiny = std::numeric_limits<double>::min(),
+               length = sqrt(fabric::max(dot(normal, normal), tiny));
+    const Pack inverse = 1.0 / fabric::max(Pack(state.lambda_f * state.lambda_w), tiny);
+    const Pack cosine = dot(k.g_f, k.g_w) * inverse, sine = length * inverse;
+    const Pack lean =
+        (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
+    const auto form = membrane_form(tangent, cosine, sine, gradient_products(quad), group_.areal_density());
+    for (std::size_t i = 0; i < couplings.size(); ++i) {
+        if (bounds[i] >= start.limits[i]) continue;
+        const double c = couplings[i] * coupling_at_rest_;
+        CoupledPack coupled{
+            .alive = alive, .form = form, .c = c * lean, .tilted = 0.0, .out_of_plane = start.out_of_plane};
+        if (c > 0) {
+            const Pack area = c * form.area;
+            coupled.tilted = area * area * fabric::max(Pack(1.0 - lean * lean), Pack(0.0));
+        }
+        raise_to(bounds[i], coupled, start.limits[i]);
+    }
+}
+
+double TightBound::slack_frequency(double coupling) const {
+    double highest = 0;
+    if (!SlackYarns::any_in(group_)) return highest;
+    const SlackYarns yarns(group_, coupling);
+    group_.for_packs(0, group_.packs(), [&](std::int32_t pack, std::int32_t at) {
+        highest = std::max(highest, largest_lane(yarns.form(pack, at).largest_eigenvalue()));
+    });
+    return highest;
+}
+
+std::unique_ptr<ElementGroup::Monitor> monitor_stiffening(const ElementGroup& group,
+                                                          const StiffeningTrigger& trigger) {
+    return std::make_unique<StiffeningMonitor>(group, trigger);
+}
+
+}  // namespace weavefront::shell

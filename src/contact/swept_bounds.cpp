@@ -1,8 +1,8 @@
 #include "weavefront/contact/swept_bounds.hpp"
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
+
+#include "weavefront/simd/short_vectors.hpp"
 
 namespace weavefront::contact {
 
@@ -16,26 +16,16 @@ SweptBounds::SweptBounds(std::span<const Vec3> x, std::span<const Vec3> v, doubl
 }
 
 bool SweptBounds::any_outside(std::span<const Vec3> x, double margin) const {
-    using Floats [[gnu::vector_size(16)]] = float;
-    using TwoDoubles [[gnu::vector_size(16)]] = double;
-    using Doubles [[gnu::vector_size(32)]] = double;
-    using Bits [[gnu::vector_size(32)]] = std::int64_t;
     const auto whole = x.size() / 2 * 2;
-    Bits left{};
+    simd::Mask4 outside{};
     for (std::size_t n = 0; n < whole; n += 2) {
-        Floats middle, half;
-        TwoDoubles one, other;
-        std::memcpy(&middle, middles_[n].data(), sizeof middle);
-        std::memcpy(&half, halves_[n].data(), sizeof half);
-        std::memcpy(&one, x[n].data(), sizeof one);
-        std::memcpy(&other, x[n + 1].data(), sizeof other);
-        const Doubles way =
-            __builtin_shufflevector(one, other, 0, 1, 2, 3) - __builtin_convertvector(middle, Doubles);
-        const auto size =
-            reinterpret_cast<Doubles>(reinterpret_cast<Bits>(way) & std::int64_t{0x7fffffffffffffff});
-        left |= size - __builtin_convertvector(half, Doubles) > margin;
+        const auto middle = simd::widened(simd::load<simd::Float4>(middles_[n].data()));
+        const auto half = simd::widened(simd::load<simd::Float4>(halves_[n].data()));
+        const auto position =
+            simd::joined(simd::load<simd::Double2>(x[n].data()), simd::load<simd::Double2>(x[n + 1].data()));
+        outside |= simd::abs(position - middle) - half > margin;
     }
-    bool found = (left[0] | left[1] | left[2] | left[3]) != 0;
+    bool found = simd::any(outside);
     for (std::size_t n = whole; n < x.size(); ++n)
         for (std::size_t d = 0; d < 2; ++d) {
             const double way = x[n][static_cast<Eigen::Index>(d)] - static_cast<double>(middles_[n][d]);

@@ -67,7 +67,7 @@ std::int64_t ElementGroup::inverted(std::span<const Eigen::Vector3d> x) const {
     std::int64_t count = 0;
     for (std::int32_t pack = 0; pack < packs_; ++pack) {
         const auto folded = is_inverted(corners(pack, x));
-        if (!fabric::any(folded)) continue;
+        if (!simd::any(folded)) continue;
         for (int lane = 0; lane < pack_width; ++lane) {
             const auto index = pack * pack_width + lane;
             count += index < size_ && folded.get(lane) && alive(index) ? 1 : 0;

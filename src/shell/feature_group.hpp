@@ -6,17 +6,17 @@
 
 #include "largest_lane.hpp"
 #include "weavefront/fabric/cell.hpp"
-#include "weavefront/fabric/pack.hpp"
 #include "weavefront/fabric/stiffness.hpp"
 #include "weavefront/shell/critical_frequency.hpp"
 #include "weavefront/shell/element_group.hpp"
 #include "weavefront/shell/internal_force.hpp"
+#include "weavefront/simd/pack.hpp"
 
 namespace weavefront::shell {
 
 template <fabric::Features F>
 class FeatureGroup final : public ElementGroup {
-    using Pack = fabric::Pack;
+    using Pack = simd::Pack;
     using Fields = fabric::Fields;
     static constexpr int changing_fields = fabric::state_size<F, Fields::changing>();
     static constexpr bool packs_yarns = fabric::state_size<F, Fields::packing>() > 0;
@@ -75,7 +75,7 @@ class FeatureGroup final : public ElementGroup {
     }
 
   private:
-    WEAVEFRONT_INLINE static void raise(Pack& highest, const fabric::Mask& alive, const Pack& bound) {
+    WEAVEFRONT_INLINE static void raise(Pack& highest, const simd::Mask& alive, const Pack& bound) {
         highest = select(alive & (bound > highest), bound, highest);
     }
 
@@ -114,7 +114,7 @@ class FeatureGroup final : public ElementGroup {
     WEAVEFRONT_INLINE void store(std::int32_t pack, const fabric::State<Pack>& state) {
         fabric::store_state<F, Pack, Fields::changing>(state, state_.data() + at(pack));
         if constexpr (packs_yarns) {
-            if (fabric::any(state.alpha > 0.0))
+            if (simd::any(state.alpha > 0.0))
                 fabric::store_state<F, Pack, Fields::packing>(state, packing_.take(pack));
             else
                 packing_.give_back(pack);
@@ -143,7 +143,7 @@ class FeatureGroup final : public ElementGroup {
             f.z.store(forces + (a * 3 + 2) * pack_width);
         }
         if constexpr (F.failure)
-            if (fabric::any((state.intact_f < intact_f) | (state.intact_w < intact_w))) {
+            if (simd::any((state.intact_f < intact_f) | (state.intact_w < intact_w))) {
                 note_breaks(pack, quad, state, result.hourglass_energy, forces, events);
                 return;
             }

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "weavefront/fabric/pack.hpp"
+#include "weavefront/simd/pack.hpp"
 
 namespace weavefront::shell {
 
-[[nodiscard]] inline double largest_lane(const fabric::Pack& values) {
+[[nodiscard]] inline double largest_lane(const simd::Pack& values) {
     double largest = values.get(0);
-    for (int lane = 1; lane < fabric::pack_width; ++lane) largest = std::max(largest, values.get(lane));
+    for (int lane = 1; lane < simd::pack_width; ++lane) largest = std::max(largest, values.get(lane));
     return largest;
 }
 

@@ -27,7 +27,7 @@ std::size_t period_of(std::span<const Quad<double>> quads) {
 
 RepeatedQuads::RepeatedQuads(std::span<const Quad<double>> quads)
     : repeat_length_(static_cast<std::int32_t>(period_of(quads))),
-      length_(static_cast<std::size_t>(repeat_length_ + fabric::pack_width - 1)) {
+      length_(static_cast<std::size_t>(repeat_length_ + simd::pack_width - 1)) {
     fields_.reserve(length_ * quad_size);
     const auto add = [&](double Quad<double>::*field) {
         for (std::size_t i = 0; i < length_; ++i)

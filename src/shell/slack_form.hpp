@@ -19,13 +19,13 @@ namespace weavefront::shell {
 /// The form is stored without divisions: p = fill/fill_unit, q = warp/warp_unit and
 /// o^2 = coupling_squared/(fill_unit warp_unit).
 struct SlackForm {
-    using Pack = fabric::Pack;
+    using Pack = simd::Pack;
 
-    fabric::Mask alive;
+    simd::Mask alive;
     Pack fill, fill_unit, warp, warp_unit, coupling_squared;
 
     /// Whether an alive element is above a bound, 1/s2.
-    [[nodiscard]] WEAVEFRONT_INLINE fabric::Mask above(double omega_squared) const {
+    [[nodiscard]] WEAVEFRONT_INLINE simd::Mask above(double omega_squared) const {
         const Pack f = omega_squared * fill_unit - fill, w = omega_squared * warp_unit - warp;
         return alive & !((f > 0.0) & (w > 0.0) & (f * w > coupling_squared));
     }
@@ -41,7 +41,7 @@ struct SlackForm {
 
 /// The slack forms of a group of crimped yarns.
 class SlackYarns {
-    using Pack = fabric::Pack;
+    using Pack = simd::Pack;
 
   public:
     /// @param coupling one of `couplings`

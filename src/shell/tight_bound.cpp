@@ -13,7 +13,7 @@ namespace weavefront::shell {
 
 namespace {
 
-using fabric::Pack;
+using simd::Pack;
 
 // One code for all fabrics: what a fabric does not ask for is at rest in its state, and adds nothing.
 constexpr fabric::Features any_fabric{.formulation = scene::Formulation::consistent,
@@ -25,7 +25,7 @@ constexpr fabric::Features any_fabric{.formulation = scene::Formulation::consist
 
 /// A pack on the way to its tight bound for one coupling.
 struct CoupledPack {
-    fabric::Mask alive;
+    simd::Mask alive;
     MembraneForm<Pack> form;
     Pack c;       ///< part of the coupling in the element's plane, N/m
     Pack tilted;  ///< square of the rest, which couples motion in the plane and out of it, 1/s4; 0: not
@@ -34,7 +34,7 @@ struct CoupledPack {
 
     /// Whether omega_squared is no bound. Motion out of the plane is eliminated: it takes its part
     /// `tilted`/rest from omega_squared.
-    [[nodiscard]] WEAVEFRONT_INLINE fabric::Mask above(double omega_squared) const {
+    [[nodiscard]] WEAVEFRONT_INLINE simd::Mask above(double omega_squared) const {
         const Pack rest = omega_squared - out_of_plane;
         const auto is_tilted = tilted > 0.0;
         const Pack in_plane = omega_squared - select(is_tilted, Pack(tilted / rest), Pack(0.0));
@@ -59,7 +59,7 @@ struct CoupledPack {
 void raise_to(double& known, const CoupledPack& pack, double limit) {
     constexpr int single_steps = 16;
     int steps = 0;
-    for (auto above = pack.above(known); fabric::any(above); above = pack.above(known)) {
+    for (auto above = pack.above(known); simd::any(above); above = pack.above(known)) {
         double higher = in_steps(known * (1 + 1e-9));
         for (int lane = 0; lane < pack_width && steps >= single_steps; ++lane) {
             const double bound = above.get(lane) ? pack.bound(lane) : 0.0;
@@ -82,7 +82,7 @@ class StiffeningMonitor final : public ElementGroup::Monitor {
         if (!SlackYarns::any_in(group_)) return;  // straight from the start
         group_.for_packs(first, count, [&](std::int32_t pack, std::int32_t at) {
             if (!has_straightened_)
-                has_straightened_ = fabric::any(yarns_.form(pack, at).above(trigger_.slack_frequency));
+                has_straightened_ = simd::any(yarns_.form(pack, at).above(trigger_.slack_frequency));
         });
     }
 
@@ -122,9 +122,8 @@ void TightBound::raise(std::int32_t pack, std::int32_t at, const TighteningStart
     const auto tangent = fabric::tangent_bound<any_fabric>(group_.constants(), state);
     const auto k = kinematics_of(quad, x);
     const auto normal = cross(k.g_f, k.g_w);
-    const Pack tiny = std::numeric_limits<double>::min(),
-               length = sqrt(fabric::max(dot(normal, normal), tiny));
-    const Pack inverse = 1.0 / fabric::max(Pack(state.lambda_f * state.lambda_w), tiny);
+    const Pack tiny = std::numeric_limits<double>::min(), length = sqrt(simd::max(dot(normal, normal), tiny));
+    const Pack inverse = 1.0 / simd::max(Pack(state.lambda_f * state.lambda_w), tiny);
     const Pack cosine = dot(k.g_f, k.g_w) * inverse, sine = length * inverse;
     const Pack lean =
         (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
@@ -136,7 +135,7 @@ void TightBound::raise(std::int32_t pack, std::int32_t at, const TighteningStart
             .alive = alive, .form = form, .c = c * lean, .tilted = 0.0, .out_of_plane = start.out_of_plane};
         if (c > 0) {
             const Pack area = c * form.area;
-            coupled.tilted = area * area * fabric::max(Pack(1.0 - lean * lean), Pack(0.0));
+            coupled.tilted = area * area * simd::max(Pack(1.0 - lean * lean), Pack(0.0));
         }
         raise_to(bounds[i], coupled, start.limits[i]);
     }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "weavefront/fabric/integers.hpp"
+#include "weavefront/simd/integers.hpp"
 
 namespace weavefront::solver {
 
@@ -34,21 +34,21 @@ void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<cons
 bool Assembly::add_pack(const std::array<std::array<std::int32_t, shell::pack_width>, 4>& nodes,
                         const double* forces, std::size_t lanes, std::vector<FixedVector>& sums) const {
     constexpr std::size_t width = shell::pack_width;
-    const fabric::Pack scale = scale_.scale();
+    const simd::Pack scale = scale_.scale();
     alignas(64) std::int64_t corner[4][3][width];
-    fabric::Mask fits = fabric::Pack(0.0) < fabric::Pack(1.0);
+    simd::Mask fits = simd::Pack(0.0) < simd::Pack(1.0);
     for (std::size_t d = 0; d < 3; ++d) {
-        fabric::Integers rest{};
+        simd::Integers rest{};
         for (std::size_t a = 0; a < 3; ++a) {
-            const auto scaled = fabric::Pack::load(forces + (a * 3 + d) * width) * scale;
-            fits = fits & (abs(scaled) < fabric::Pack(parallel::FixedPoint::limit));
-            const auto whole = fabric::nearest(scaled);
+            const auto scaled = simd::Pack::load(forces + (a * 3 + d) * width) * scale;
+            fits = fits & (abs(scaled) < simd::Pack(parallel::FixedPoint::limit));
+            const auto whole = simd::nearest(scaled);
             whole.store(corner[a][d]);
             rest = rest + whole;
         }
         (-rest).store(corner[3][d]);
     }
-    if (!fabric::all(fits)) return false;
+    if (!simd::all(fits)) return false;
     for (std::size_t lane = 0; lane < lanes; ++lane)
         for (std::size_t a = 0; a < 4; ++a) {
             auto& sum = sums[static_cast<std::size_t>(nodes[a][lane])];

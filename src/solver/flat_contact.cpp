@@ -21,7 +21,7 @@ double facing(const Vec3& force, const Vec3& axis) {
 /// @param first pack to start from; becomes the pack at which the search ended
 double least_facing(const shell::ElementGroup& group, std::span<const Vec3> x, const Vec3& axis, double known,
                     std::int32_t& first) {
-    using fabric::Pack;
+    using simd::Pack;
     const auto packs = group.packs();
     if (first >= packs) first = 0;  // the group is another one now
     const auto start = first;
@@ -31,8 +31,8 @@ double least_facing(const shell::ElementGroup& group, std::span<const Vec3> x, c
         const auto normal = cross(corners[2] - corners[0], corners[3] - corners[1]);
         const Pack along = normal.x * axis.x() + normal.y * axis.y() + normal.z * axis.z();
         const Pack facing =
-            along * fabric::abs(along) / dot(normal, normal);  // not a number where the element has no area
-        if (!fabric::any(facing < known)) continue;
+            along * simd::abs(along) / dot(normal, normal);  // not a number where the element has no area
+        if (!simd::any(facing < known)) continue;
         for (int lane = 0; lane < shell::pack_width; ++lane) {
             const auto index = pack * shell::pack_width + lane;
             if (facing.get(lane) < known && index < group.size() && group.alive(index))

@@ -1,15 +1,15 @@
 #include "weavefront/solver/motion.hpp"
 
-#include "weavefront/fabric/integers.hpp"
-#include "weavefront/fabric/vectors.hpp"
+#include "weavefront/simd/integers.hpp"
+#include "weavefront/simd/vectors.hpp"
 #include "weavefront/solver/central_difference.hpp"
 
 namespace weavefront::solver {
 
 namespace {
 
-using fabric::Pack;
-constexpr std::size_t together = fabric::pack_width;
+using simd::Pack;
+constexpr std::size_t together = simd::pack_width;
 
 /// Calls with the number of each of the three packs that eight vectors fill.
 template <class Call>
@@ -31,8 +31,8 @@ void move_freely(Nodes& nodes, const parallel::FixedPoint& scale, double step, d
         double *v = nodes.v[n].data(), *x = nodes.x[n].data();
         for_blocks([&]<int block>() __attribute__((always_inline)) {
             constexpr auto at = block * together;
-            const Pack f = to_pack(fabric::Integers::load(force + at)) * quantum;
-            const Pack acceleration = f / fabric::spread<block>(mass);
+            const Pack f = to_pack(simd::Integers::load(force + at)) * quantum;
+            const Pack acceleration = f / simd::spread<block>(mass);
             const Pack next = next_velocity(Pack::load_anywhere(v + at), acceleration, step);
             next.store_anywhere(v + at);
             (Pack::load_anywhere(x + at) + dt * next).store_anywhere(x + at);
@@ -57,9 +57,8 @@ std::array<double, energies_at_once> kinetic_energies(const Nodes& nodes, const 
     std::array<double, 3 * together> products;
     for_blocks([&]<int block>() __attribute__((always_inline)) {
         constexpr auto at = block * together;
-        const Pack f = to_pack(fabric::Integers::load(force + at)) * quantum,
-                   now = Pack::load_anywhere(v + at);
-        const Pack next = next_velocity(now, Pack(f / fabric::spread<block>(mass)), step);
+        const Pack f = to_pack(simd::Integers::load(force + at)) * quantum, now = Pack::load_anywhere(v + at);
+        const Pack next = next_velocity(now, Pack(f / simd::spread<block>(mass)), step);
         const Pack acceleration = acceleration_between(now, next, step);
         (now * opposite_velocity(now, acceleration, last_dt)).store_anywhere(products.data() + at);
     });

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "weavefront/fabric/pack.hpp"
+#include "weavefront/simd/pack.hpp"
 
 namespace weavefront::benchmark {
 namespace {
@@ -31,13 +31,13 @@ BENCHMARK(triad);
 /// instructions in a second.
 void arithmetic(::benchmark::State& state) {
     constexpr int chains = 6, rounds = 1000;
-    std::array<fabric::Register, chains> products, sums;
-    products.fill(1.0 - fabric::Register{});
-    sums.fill(0.0 - fabric::Register{});
+    std::array<simd::Register, chains> products, sums;
+    products.fill(1.0 - simd::Register{});
+    sums.fill(0.0 - simd::Register{});
     double factor_value = 1.0, term_value = 1e-3;
     ::benchmark::DoNotOptimize(factor_value);
     ::benchmark::DoNotOptimize(term_value);
-    const fabric::Register factor = factor_value - fabric::Register{}, term = term_value - fabric::Register{};
+    const simd::Register factor = factor_value - simd::Register{}, term = term_value - simd::Register{};
     for (auto _ : state) {
         auto p = products;
         auto s = sums;

@@ -7,13 +7,13 @@
 #include "../fabric/kevlar129.hpp"
 #include "kernels.hpp"
 #include "weavefront/fabric/cell.hpp"
-#include "weavefront/fabric/pack.hpp"
 #include "weavefront/shell/aligned_vector.hpp"
+#include "weavefront/simd/pack.hpp"
 
 namespace weavefront::benchmark {
 namespace {
 
-using fabric::Pack;
+using simd::Pack;
 constexpr fabric::Features full{.formulation = scene::Formulation::consistent,
                                 .crimp = true,
                                 .viscous = true,
@@ -47,9 +47,9 @@ void crimp(::benchmark::State& state) {
     const auto step = fabric::step_of(c, full, dt);
     Values rises(batch);
     for (auto _ : state) {
-        for (std::size_t at = 0; at < batch; at += fabric::width<Real>) {
+        for (std::size_t at = 0; at < batch; at += simd::width<Real>) {
             const auto load = [at](const Values& values) {
-                return fabric::RealTraits<Real>::load(values.data() + at);
+                return simd::RealTraits<Real>::load(values.data() + at);
             };
             const Real h_f = c.thickness * load(drawn.height), h_w = 0.5 * c.thickness - h_f,
                        half_span = 0.5 * c.span;
@@ -63,7 +63,7 @@ void crimp(::benchmark::State& state) {
                  .law_f = {load(drawn.stress_f), slope, fabric::bar_length(a_f, h_f)},
                  .law_w = {load(drawn.stress_w), slope, fabric::bar_length(a_w, h_w)}}};
             const Real rise = fabric::balance_crossover(balance, Real(-h_f), h_w, 0.5 * c.thickness);
-            fabric::RealTraits<Real>::store(rise, rises.data() + at);
+            simd::RealTraits<Real>::store(rise, rises.data() + at);
         }
         ::benchmark::DoNotOptimize(rises.data());
         ::benchmark::ClobberMemory();
@@ -87,21 +87,21 @@ void cell(::benchmark::State& state) {
     const auto step = fabric::step_of(c, full, dt);
     constexpr std::size_t fields = fabric::state_size<full>();
     Values states(batch * fields), resultants(batch);
-    for (std::size_t at = 0; at < batch; at += fabric::width<Real>)
+    for (std::size_t at = 0; at < batch; at += simd::width<Real>)
         fabric::store_state<full, Real>(fabric::initial_state<full, Real>(c), states.data() + at * fields);
     double there = 1e-5;
     for (auto _ : state) {
         there = -there;
-        for (std::size_t at = 0; at < batch; at += fabric::width<Real>) {
+        for (std::size_t at = 0; at < batch; at += simd::width<Real>) {
             const auto load = [at](const Values& values) {
-                return fabric::RealTraits<Real>::load(values.data() + at);
+                return simd::RealTraits<Real>::load(values.data() + at);
             };
             auto point = fabric::load_state<full, Real>(states.data() + at * fields);
             const auto response =
                 fabric::advance<full, Real>(c, step, point, load(paths.stretch_f) + there,
                                             load(paths.stretch_w) - there, load(paths.cos_2theta) + there);
             fabric::store_state<full, Real>(point, states.data() + at * fields);
-            fabric::RealTraits<Real>::store(response.T_xx, resultants.data() + at);
+            simd::RealTraits<Real>::store(response.T_xx, resultants.data() + at);
         }
         ::benchmark::DoNotOptimize(resultants.data());
         ::benchmark::ClobberMemory();

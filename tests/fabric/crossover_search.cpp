@@ -8,7 +8,7 @@
 #include <random>
 
 #include "weavefront/fabric/crimp.hpp"
-#include "weavefront/fabric/pack.hpp"
+#include "weavefront/simd/pack.hpp"
 
 namespace weavefront::fabric {
 namespace {

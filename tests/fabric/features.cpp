@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "material_point.hpp"
-#include "weavefront/fabric/pack.hpp"
 #include "weavefront/fabric/stiffness.hpp"
+#include "weavefront/simd/pack.hpp"
 
 namespace weavefront::test {
 namespace {
 
 using fabric::Features;
-using fabric::Pack;
+using simd::Pack;
 
 /// Kevlar with what `features` names and nothing else.
 scene::Fabric fabric_with(const Features& features) {

@@ -7,10 +7,12 @@
 #include <array>
 #include <cstddef>
 
-#include "weavefront/contact/lanes.hpp"
 #include "weavefront/mesh/vec3.hpp"
+#include "weavefront/simd/lanes.hpp"
 
 namespace weavefront::contact {
+
+using namespace simd;
 
 /// Shape functions of a batch of points, [corner].
 using ShapeFunctions = std::array<Lanes, 4>;

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "weavefront/contact/lanes.hpp"
 #include "weavefront/contact/sliding_energy.hpp"
 #include "weavefront/scene/scene.hpp"
+#include "weavefront/simd/lanes.hpp"
 
 namespace weavefront::contact {
+
+using namespace simd;
 
 /// State of a contact point that lasts from step to step.
 struct Penetration {

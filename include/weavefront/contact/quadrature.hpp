@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "weavefront/contact/bilinear_quad.hpp"
-#include "weavefront/contact/lanes.hpp"
 #include "weavefront/mesh/vec3.hpp"
+#include "weavefront/simd/lanes.hpp"
 
 namespace weavefront::contact {
+
+using namespace simd;
 
 /// Up to eight points of a quad: shape functions and shares of its area. Lanes from `count` on are padding:
 /// they repeat the last point with a share of 0.

@@ -4,10 +4,12 @@
 
 #include <array>
 
-#include "weavefront/contact/lanes.hpp"
 #include "weavefront/mesh/vec3.hpp"
+#include "weavefront/simd/lanes.hpp"
 
 namespace weavefront::contact {
+
+using namespace simd;
 
 /// Rays of a batch of points.
 struct Rays {

@@ -6,9 +6,11 @@
 #include <numbers>
 
 #include "weavefront/fabric/features.hpp"
-#include "weavefront/fabric/math.hpp"
+#include "weavefront/simd/math.hpp"
 
 namespace weavefront::fabric {
+
+using namespace simd;
 
 /// A fabric's numbers, SI.
 struct Constants {

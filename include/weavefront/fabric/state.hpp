@@ -6,9 +6,11 @@
 #include <cstddef>
 
 #include "weavefront/fabric/constants.hpp"
-#include "weavefront/fabric/real.hpp"
+#include "weavefront/simd/real.hpp"
 
 namespace weavefront::fabric {
+
+using namespace simd;
 
 /// State of the cell at the end of a step. A kernel touches only the fields that its features need.
 template <class Real>

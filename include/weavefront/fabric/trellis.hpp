@@ -2,10 +2,12 @@
 /// @file
 /// The trellis of fill and warp in its bisector frame, IT04 section 2.1.
 
-#include "weavefront/fabric/math.hpp"
-#include "weavefront/fabric/real.hpp"
+#include "weavefront/simd/math.hpp"
+#include "weavefront/simd/real.hpp"
 
 namespace weavefront::fabric {
+
+using namespace simd;
 
 /// Yarn directions in the frame x ~ d_f + d_w, y ~ d_f - d_w: fill at +theta, warp at -theta.
 template <class Real>

@@ -3,9 +3,11 @@
 /// A yarn: three-element viscoelasticity and rate-dependent failure, IT04 section 2.3.
 
 #include "weavefront/fabric/constants.hpp"
-#include "weavefront/fabric/real.hpp"
+#include "weavefront/simd/real.hpp"
 
 namespace weavefront::fabric {
+
+using namespace simd;
 
 /// Axial stress at the end of a step as a function of the bar's length then: offset + slope (length -
 /// reference).

@@ -22,10 +22,10 @@ struct Frequencies {
 
 /// The bound on uniform deformation and hourglass modes together: these are orthogonal in parallelograms.
 template <class Real>
-WEAVEFRONT_INLINE Real with_hourglass(const fabric::MaskOf<Real>& parallelogram, const Real& uniform,
+WEAVEFRONT_INLINE Real with_hourglass(const simd::MaskOf<Real>& parallelogram, const Real& uniform,
                                       const Real& modes) {
-    using fabric::max;
-    using fabric::select;
+    using simd::max;
+    using simd::select;
     return select(parallelogram, max(modes, uniform), Real(uniform + modes));
 }
 
@@ -41,8 +41,8 @@ inline double in_steps(double omega_squared) {
 /// Largest eigenvalue of M G for symmetric 2x2 matrices given as {11, 12, 22}, G positive.
 template <class Real>
 WEAVEFRONT_INLINE Real largest_eigenvalue(const std::array<Real, 3>& M, const std::array<Real, 3>& G) {
-    using fabric::max;
-    using fabric::sqrt;
+    using simd::max;
+    using simd::sqrt;
     const Real trace = M[0] * G[0] + 2.0 * M[1] * G[1] + M[2] * G[2];
     const Real determinant = (M[0] * M[2] - M[1] * M[1]) * (G[0] * G[2] - G[1] * G[1]);
     return trace * 0.5 + sqrt(max(Real(0.0), Real(trace * trace * 0.25 - determinant)));

@@ -13,7 +13,6 @@
 
 #include "weavefront/fabric/constants.hpp"
 #include "weavefront/fabric/state.hpp"
-#include "weavefront/fabric/vectors.hpp"
 #include "weavefront/scene/scene.hpp"
 #include "weavefront/shell/aligned_vector.hpp"
 #include "weavefront/shell/critical_frequency.hpp"
@@ -21,6 +20,7 @@
 #include "weavefront/shell/pack_blocks.hpp"
 #include "weavefront/shell/quad.hpp"
 #include "weavefront/shell/repeated_quads.hpp"
+#include "weavefront/simd/vectors.hpp"
 
 namespace weavefront::shell {
 
@@ -163,7 +163,7 @@ class ElementGroup {
     }
     /// State of a pack, or of one of its elements, with the yarns' stresses. Fields that the fabric does not
     /// ask for have their values at rest.
-    [[nodiscard]] virtual fabric::State<fabric::Pack> pack_state(std::int32_t pack) const = 0;
+    [[nodiscard]] virtual fabric::State<simd::Pack> pack_state(std::int32_t pack) const = 0;
     [[nodiscard]] virtual fabric::State<double> element_state(std::int32_t index) const = 0;
     /// Whether any yarns are packed; of the consistent formulation.
     [[nodiscard]] bool any_packed() const { return packing_.any(); }
@@ -184,11 +184,11 @@ class ElementGroup {
         return damage_.fields() > 0 ? damage_.find(pack) : nullptr;
     }
     /// Corners of a pack's elements. @param x positions of the local nodes, m
-    [[nodiscard]] WEAVEFRONT_INLINE std::array<Vector<fabric::Pack>, 4> corners(
+    [[nodiscard]] WEAVEFRONT_INLINE std::array<Vector<simd::Pack>, 4> corners(
         std::int32_t pack, std::span<const Eigen::Vector3d> x) const {
-        std::array<Vector<fabric::Pack>, 4> corners;
+        std::array<Vector<simd::Pack>, 4> corners;
         for (std::size_t a = 0; a < 4; ++a) {
-            const auto [px, py, pz] = fabric::gather_vectors(x[0].data(), nodes(pack)[a]);
+            const auto [px, py, pz] = simd::gather_vectors(x[0].data(), nodes(pack)[a]);
             corners[a] = {px, py, pz};
         }
         return corners;

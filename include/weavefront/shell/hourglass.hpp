@@ -2,8 +2,8 @@
 /// @file
 /// Hourglass control and warping: the modes that one quadrature point does not see.
 
-#include "weavefront/fabric/math.hpp"
 #include "weavefront/shell/quad.hpp"
+#include "weavefront/simd/math.hpp"
 
 namespace weavefront::shell {
 

@@ -26,8 +26,8 @@ template <fabric::Features F, class Real>
 WEAVEFRONT_INLINE ElementForces<Real> internal_force(
     const fabric::Constants& constants, const fabric::Step& step, const HourglassStiffness& hourglass,
     const Quad<Real>& quad, const std::array<Vector<Real>, 4>& x, fabric::State<Real>& state) {
-    using fabric::max;
-    using fabric::sqrt;
+    using simd::max;
+    using simd::sqrt;
     const Real tiny = Real(std::numeric_limits<double>::min());
     const auto k = kinematics_of(quad, x);
     const Real lambda_f = sqrt(max(dot(k.g_f, k.g_f), tiny)), lambda_w = sqrt(max(dot(k.g_w, k.g_w), tiny));

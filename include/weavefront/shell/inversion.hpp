@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "weavefront/fabric/real.hpp"
 #include "weavefront/shell/vector.hpp"
+#include "weavefront/simd/real.hpp"
 
 namespace weavefront::shell {
 
@@ -14,8 +14,8 @@ namespace weavefront::shell {
 /// odds with it.
 /// @param x current corners, m
 template <class Real>
-WEAVEFRONT_INLINE fabric::MaskOf<Real> is_inverted(const std::array<Vector<Real>, 4>& x) {
-    using fabric::select;
+WEAVEFRONT_INLINE simd::MaskOf<Real> is_inverted(const std::array<Vector<Real>, 4>& x) {
+    using simd::select;
     const auto mean = cross(x[2] - x[0], x[3] - x[1]);
     Real against = 0.0;
     for (std::size_t a = 0; a < 4; ++a) {

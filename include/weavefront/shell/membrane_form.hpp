@@ -27,8 +27,8 @@ template <class Real>
 WEAVEFRONT_INLINE MembraneForm<Real> membrane_form(const fabric::Tangent<Real>& t, const Real& cosine,
                                                    const Real& sine, const std::array<Real, 3>& G,
                                                    double areal_density) {
-    using fabric::max;
-    using fabric::sqrt;
+    using simd::max;
+    using simd::sqrt;
     // the warp's axes turned into the fill's
     const Real fw11 = t[0][2] * cosine - t[0][3] * sine, fw12 = t[0][2] * sine + t[0][3] * cosine;
     const Real fw21 = t[1][2] * cosine - t[1][3] * sine, fw22 = t[1][2] * sine + t[1][3] * cosine;
@@ -57,8 +57,8 @@ WEAVEFRONT_INLINE MembraneForm<Real> membrane_form(const fabric::Tangent<Real>& 
 /// Whether an eigenvalue is above omega_squared, 1/s2, when c, N/m, is taken: omega_squared less the form is
 /// not positive definite.
 template <class Real>
-WEAVEFRONT_INLINE fabric::MaskOf<Real> exceeds(const MembraneForm<Real>& form, const Real& omega_squared,
-                                               const Real& c) {
+WEAVEFRONT_INLINE simd::MaskOf<Real> exceeds(const MembraneForm<Real>& form, const Real& omega_squared,
+                                             const Real& c) {
     const Real f11 = omega_squared - form.ff11, f22 = omega_squared - form.ff22, f12 = form.ff12;
     const Real b11 = form.fw11, b12 = form.fw12 - c * form.area, b21 = form.fw21 + c * form.area,
                b22 = form.fw22;

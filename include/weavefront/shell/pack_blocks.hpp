@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "weavefront/fabric/pack.hpp"
 #include "weavefront/shell/aligned_vector.hpp"
+#include "weavefront/simd/pack.hpp"
 
 namespace weavefront::shell {
 
@@ -16,7 +16,7 @@ class PackBlocks {
   public:
     /// @param fields of a pack; without any nothing is stored and nothing may be asked for
     PackBlocks(std::int32_t packs, int fields, double idle)
-        : block_(static_cast<std::size_t>(fields) * fabric::pack_width),
+        : block_(static_cast<std::size_t>(fields) * simd::pack_width),
           idle_(idle),
           slots_(static_cast<std::size_t>(fields > 0 ? packs : 0), -1) {}
 
@@ -54,13 +54,13 @@ class PackBlocks {
     /// Whether any pack has a block.
     [[nodiscard]] bool any() const { return blocks_.size() > free_.size() * block_; }
 
-    [[nodiscard]] int fields() const { return static_cast<int>(block_) / fabric::pack_width; }
+    [[nodiscard]] int fields() const { return static_cast<int>(block_) / simd::pack_width; }
     [[nodiscard]] double get(std::int32_t pack, int field, int lane) const {
         const double* block = find(pack);
-        return block ? block[field * fabric::pack_width + lane] : idle_;
+        return block ? block[field * simd::pack_width + lane] : idle_;
     }
     void set(std::int32_t pack, int field, int lane, double value) {
-        if (find(pack) || value != idle_) take(pack)[field * fabric::pack_width + lane] = value;
+        if (find(pack) || value != idle_) take(pack)[field * simd::pack_width + lane] = value;
     }
     [[nodiscard]] std::size_t bytes() const {
         return blocks_.size() * sizeof(double) + slots_.size() * sizeof(std::int32_t);

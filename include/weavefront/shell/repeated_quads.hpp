@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "weavefront/fabric/pack.hpp"
 #include "weavefront/shell/quad.hpp"
+#include "weavefront/simd/pack.hpp"
 
 namespace weavefront::shell {
 
@@ -26,9 +26,9 @@ class RepeatedQuads {
     }
 
     /// Those of eight elements from `at` on. @param at 0..repeat-1
-    [[nodiscard]] WEAVEFRONT_INLINE Quad<fabric::Pack> pack_from(std::int32_t at) const {
-        return with_fields<fabric::Pack>([&](std::size_t field) __attribute__((always_inline)) {
-            return fabric::Pack::load_anywhere(from(at, field));
+    [[nodiscard]] WEAVEFRONT_INLINE Quad<simd::Pack> pack_from(std::int32_t at) const {
+        return with_fields<simd::Pack>([&](std::size_t field) __attribute__((always_inline)) {
+            return simd::Pack::load_anywhere(from(at, field));
         });
     }
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <span>
 
-#include "weavefront/fabric/vectors.hpp"
 #include "weavefront/shell/coupling.hpp"
 #include "weavefront/shell/element_group.hpp"
+#include "weavefront/simd/vectors.hpp"
 
 namespace weavefront::shell {
 
@@ -30,7 +30,7 @@ class TightBound {
 
   private:
     void raise(std::int32_t pack, std::int32_t at, const TighteningStart& start,
-               const std::array<Vector<fabric::Pack>, 4>& x, TightBounds& bounds) const;
+               const std::array<Vector<simd::Pack>, 4>& x, TightBounds& bounds) const;
 
     const ElementGroup& group_;
     double coupling_at_rest_;  ///< N/m

@@ -2,7 +2,7 @@
 /// @file
 /// A 3-vector over a scalar or a pack.
 
-#include "weavefront/fabric/real.hpp"
+#include "weavefront/simd/real.hpp"
 
 namespace weavefront::shell {
 

@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <cstring>
 
-#include "weavefront/fabric/real.hpp"
+#include "weavefront/simd/real.hpp"
 
 #if defined(__AVX__)
 #include <immintrin.h>
 #endif
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 
 #if defined(__AVX512F__)
 inline constexpr int register_width = 8;
@@ -214,10 +214,10 @@ WEAVEFRONT_INLINE Binary<Pack> binary(const Pack& a) {
 
 template <>
 struct RealTraits<Pack> {
-    using Mask = fabric::Mask;
+    using Mask = simd::Mask;
     static constexpr int width = pack_width;
     WEAVEFRONT_INLINE static Pack load(const double* from) { return Pack::load(from); }
     WEAVEFRONT_INLINE static void store(const Pack& value, double* to) { value.store(to); }
 };
 
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

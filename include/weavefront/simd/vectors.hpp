@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "weavefront/fabric/pack.hpp"
+#include "weavefront/simd/pack.hpp"
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 
 #if defined(__AVX__)
 
@@ -86,4 +86,4 @@ WEAVEFRONT_INLINE Pack spread(const Pack& of_vectors) {
     return result;
 }
 
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "weavefront/fabric/pack.hpp"
+#include "weavefront/simd/pack.hpp"
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 
 /// Eight integers.
 struct alignas(64) Integers {
@@ -78,4 +78,4 @@ WEAVEFRONT_INLINE Pack to_pack(const Integers& a) {
     return result;
 }
 
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

@@ -1,4 +1,4 @@
-#include "weavefront/fabric/pack.hpp"
+#include "weavefront/simd/pack.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
-#include "weavefront/fabric/math.hpp"
+#include "weavefront/simd/math.hpp"
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -126,4 +126,4 @@ TEST(Pack, LoadsAndStoresInLaneOrder) {
 }
 
 }  // namespace
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

@@ -1,15 +1,15 @@
 #pragma once
 /// @file
-/// Batches of eight contact points of one facet. The compiler vectorises loops over their lanes. The lanes of
-/// a batch are the same points of the same facet on every rank, so results may depend on all lanes of a
-/// batch.
+/// Eight numbers for loops over their lanes, which the compiler vectorises. Contact computes its batches of
+/// eight points of one facet so: their lanes are the same points on every rank, so results may depend on all
+/// lanes.
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
-namespace weavefront::contact {
+namespace weavefront::simd {
 
 inline constexpr std::size_t batch_width = 8;
 
@@ -31,4 +31,4 @@ struct VectorLanes {
     Lanes x, y, z;
 };
 
-}  // namespace weavefront::contact
+}  // namespace weavefront::simd

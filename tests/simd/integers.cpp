@@ -1,6 +1,6 @@
 /// Conversions between packs of doubles and of integers: the bits of the conversions of one number.
 
-#include "weavefront/fabric/integers.hpp"
+#include "weavefront/simd/integers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 namespace {
 
 /// Halves, whole numbers and their neighbours around every power of two up to 2^54, and random numbers of
@@ -65,4 +65,4 @@ TEST(Integers, BecomeTheNearestDoubles) {
 }
 
 }  // namespace
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

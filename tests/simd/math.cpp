@@ -1,4 +1,4 @@
-#include "weavefront/fabric/math.hpp"
+#include "weavefront/simd/math.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 namespace {
 
 /// Error in units of the last place of the exact value.
@@ -66,4 +66,4 @@ TEST(Math, ClampKeepsWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

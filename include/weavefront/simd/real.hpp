@@ -10,7 +10,7 @@
 /// Kernels are inlined whole: a pack passed through memory at every call would cost more than its arithmetic.
 #define WEAVEFRONT_INLINE [[gnu::always_inline]] inline
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 
 /// Mask type, lanes, load and store of a number type.
 template <class Real>
@@ -69,4 +69,4 @@ WEAVEFRONT_INLINE Real clamp(const Real& value, const Real& lower, const Real& u
     return min(upper, max(lower, value));
 }
 
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

@@ -1,13 +1,13 @@
 /// Vectors in memory and packs of their components.
 
-#include "weavefront/fabric/vectors.hpp"
+#include "weavefront/simd/vectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <vector>
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 namespace {
 
 TEST(Vectors, AreGatheredByComponent) {
@@ -40,4 +40,4 @@ TEST(Vectors, ShareOneNumberAmongTheirComponents) {
 }
 
 }  // namespace
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

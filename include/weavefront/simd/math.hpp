@@ -6,9 +6,9 @@
 #include <array>
 #include <numbers>
 
-#include "weavefront/fabric/real.hpp"
+#include "weavefront/simd/real.hpp"
 
-namespace weavefront::fabric {
+namespace weavefront::simd {
 
 /// 1/3, 1/5, 1/7 ...: the series of atanh and, with alternating signs, of atan.
 inline constexpr std::array<double, 12> odd_reciprocals{1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,
@@ -102,4 +102,4 @@ inline double sine(double a) {
     return a * (1.0 - sum);
 }
 
-}  // namespace weavefront::fabric
+}  // namespace weavefront::simd

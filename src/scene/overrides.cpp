@@ -91,6 +91,7 @@ void place(Value& root, Value value, Cursor cursor) {
         if (last) entry->where = cursor.where;
         at = &entry->value;
     }
+    value.where = cursor.where;  // nothing has no place of its own
     *at = std::move(value);
 }
 

@@ -132,6 +132,7 @@ class Impact::Run {
                 last_ = simulation_.record_balance();
                 require_balance();
             }
+            require_in_place();
             const bool is_last = end || (balanced_ == simulation_.steps() && is_decided());
             if (frames_.due(simulation_.time()) || is_last) write_frame();
             if (is_last) return {Ending::Kind::finished, end ? "end time reached" : "the outcome is decided"};
@@ -175,6 +176,13 @@ class Impact::Run {
         results_->redistribute(topology_of(simulation_));
         report_.rebalanced(simulation_, *better);
         is_rebalanced_ = true;
+    }
+
+    /// Not only when the next frame is due, which may be days later.
+    void require_in_place() {
+        if (simulation_.steps() - looked_ < steps_between_balances) return;
+        history_->require_in_place();
+        looked_ = simulation_.steps();
     }
 
     void write_row() {
@@ -313,6 +321,7 @@ class Impact::Run {
     std::optional<solver::LoadWatch> load_;
     solver::Balance last_;
     std::int64_t balanced_ = 0;  // step
+    std::int64_t looked_ = 0;    // step at which history.csv was found in its place
     double last_frame_ = 0;      // time, s
     bool is_rebalanced_ = false;
 };

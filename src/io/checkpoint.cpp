@@ -174,8 +174,8 @@ std::int64_t most_bytes(const CheckpointContent& content, const std::vector<Tabl
     return bytes + of_object * objects;
 }
 
-/// Creates the file with room on the disk for all of it. HDF5 does not survive a disk that is full, or a limit
-/// of the size, while it writes: so the room is asked for before it begins, and taken when it is done.
+/// Creates the file with room on the disk for all of it. HDF5 does not survive a disk that is full, or a
+/// limit of the size, while it writes: so the room is asked for before it begins, and taken when it is done.
 void create_with_room(const std::string& path, const CheckpointContent& content,
                       const std::vector<TableBlocks>& tables) {
     Descriptor(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW).reserve(most_bytes(content, tables));

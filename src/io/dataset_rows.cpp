@@ -4,8 +4,7 @@
 
 namespace weavefront::io {
 
-DatasetRows::DatasetRows(const H5File& file, const std::string& path, const std::string& name,
-                         hid_t memory) {
+DatasetRows::DatasetRows(const H5File& file, const std::string& path, const std::string& name, hid_t memory) {
     const auto doing = "opening " + path + ": " + name;
     const H5Dataset dataset(checked(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), doing));
     const H5Type type(checked(H5Dget_type(dataset.get()), doing));

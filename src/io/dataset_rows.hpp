@@ -13,8 +13,8 @@
 
 namespace weavefront::io {
 
-/// Place of a contiguous dataset in its file. Ranks write there by calls of the system: each learns of its own
-/// failure and none waits. In MPI-IO and in HDF5 upon it other ranks wait for one that cannot write.
+/// Place of a contiguous dataset in its file. Ranks write there by calls of the system: each learns of its
+/// own failure and none waits. In MPI-IO and in HDF5 upon it other ranks wait for one that cannot write.
 class DatasetRows {
   public:
     DatasetRows() = default;

@@ -12,8 +12,8 @@
 
 namespace weavefront::io {
 
-Descriptor::Descriptor(const std::string& path, int flags)
-    : path_(path), number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+Descriptor::Descriptor(const std::string& path, int flags, const std::string& shown)
+    : path_(shown.empty() ? path : shown), number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
     if (number_ < 0) fail("opened", errno);
 }
 
@@ -57,8 +57,7 @@ void Descriptor::sync() const {
 }
 
 void Descriptor::fail(const char* doing, int cause) const {
-    throw FileError(
-        fmt::format("{} cannot be {}: {}", path_, doing, std::generic_category().message(cause)));
+    throw FileError(fmt::format("{} cannot be {}: {}", path_, doing, std::generic_category().message(cause)));
 }
 
 }  // namespace weavefront::io

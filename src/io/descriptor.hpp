@@ -13,7 +13,8 @@ namespace weavefront::io {
 class Descriptor {
   public:
     /// @param flags of `open`
-    Descriptor(const std::string& path, int flags);
+    /// @param shown in messages in place of the path, for a file that will be renamed; empty: the path
+    Descriptor(const std::string& path, int flags, const std::string& shown = {});
     ~Descriptor();
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;

@@ -49,7 +49,8 @@ struct OpenArrays {
     DatasetRows points, hidden;
     std::vector<DatasetRows> point_data, cell_data;
 
-    OpenArrays(const std::string& path, const Frame& layout) : file(path, O_WRONLY) {
+    OpenArrays(const std::string& path, const Frame& layout, const std::string& shown)
+        : file(path, O_WRONLY, shown) {
         const H5File structure(
             checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "opening " + path));
         const auto rows = [&](const std::string& name, hid_t type) {
@@ -214,7 +215,7 @@ class Results::File {
 
     void open(const std::string& path) {
         Agreement agreement(comm_);
-        agreement.attempt([&] { arrays_ = std::make_unique<OpenArrays>(path, setup_.layout); });
+        agreement.attempt([&] { arrays_ = std::make_unique<OpenArrays>(path, setup_.layout, path_); });
         settle_creation(agreement);
         agreement.attempt_on_root([&] { publisher_.emplace(path); });
         settle_creation(agreement);

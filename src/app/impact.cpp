@@ -73,9 +73,9 @@ class Impact::Run {
         try {
             ending = advance(progress);
         } catch (const solver::GuardStop& stop) {
-            ending = {Ending::Kind::stopped, stop.what()};
+            ending = stopped(stop.what(), stop.fault());
         } catch (const io::NotFinite& refused) {
-            ending = {Ending::Kind::stopped, refused.what()};
+            ending = stopped(refused.what(), solver::Fault::not_finite);
         } catch (const io::FileError& failure) {
             log_.record(fmt::format("Ended at t = {:.6g} us after {} steps: {}", simulation_.time() * 1e6,
                                     simulation_.steps(), failure.what()));
@@ -146,6 +146,11 @@ class Impact::Run {
         }
     }
 
+    /// What the guard has found, with the place and the cause. @note Collective
+    [[nodiscard]] Ending stopped(const std::string& reason, solver::Fault fault) const {
+        return {Ending::Kind::stopped, fmt::format("{}; {}", reason, simulation_.diagnosis(fault))};
+    }
+
     /// Asks the other ranks for what this one knows of: signals, and on the first rank the clock.
     void request() {
         if (noted_signal() != 0) simulation_.request_stop();
@@ -212,7 +217,7 @@ class Impact::Run {
         try {
             write_frame();
         } catch (const io::NotFinite& refused) {
-            if (reason != refused.what()) reason += std::string("; ") + refused.what();
+            if (!reason.starts_with(refused.what())) reason += std::string("; ") + refused.what();
             reason += results_->frames() > 0
                           ? fmt::format("; the last frame is that of t = {:.6g} us", last_frame_ * 1e6)
                           : "; no frame was written";

@@ -101,20 +101,19 @@ class FeatureGroup final : public ElementGroup {
         return {state.work * size, hourglass_energy(index), F.friction ? state.friction_work * size : 0.0};
     }
 
+    [[nodiscard]] ElementCondition condition(std::int32_t index,
+                                             std::span<const Eigen::Vector3d> x) const override {
+        return {is_inverted(corners_of(index, x)), F.lateral ? state_of(index).alpha : 0.0,
+                braid_angle(index, x)};
+    }
+
     [[nodiscard]] ElementOutput output(std::int32_t index,
                                        std::span<const Eigen::Vector3d> x) const override {
         const auto state = state_of(index);
         const auto yarns = fabric::yarn_state<F>(constants_, state);
-        const auto k = kinematics_of(whole_quad(index), corners_of(index, x));
-        const double cos_2theta = dot(k.g_f, k.g_w) / std::sqrt(dot(k.g_f, k.g_f) * dot(k.g_w, k.g_w));
-        return {yarns.eps_f,
-                yarns.eps_w,
-                yarns.sigma_f,
-                yarns.sigma_w,
-                std::acos(std::clamp(cos_2theta, -1.0, 1.0)) / 2,
-                F.crimp ? state.h_f : 0.0,
-                state.intact_f == 0,
-                state.intact_w == 0};
+        return {yarns.eps_f,         yarns.eps_w,           yarns.sigma_f,
+                yarns.sigma_w,       braid_angle(index, x), F.crimp ? state.h_f : 0.0,
+                state.intact_f == 0, state.intact_w == 0};
     }
 
   private:
@@ -356,6 +355,12 @@ class FeatureGroup final : public ElementGroup {
             corners[a] = {at.x(), at.y(), at.z()};
         }
         return corners;
+    }
+
+    [[nodiscard]] double braid_angle(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
+        const auto k = kinematics_of(whole_quad(index), corners_of(index, x));
+        const double cos_2theta = dot(k.g_f, k.g_w) / std::sqrt(dot(k.g_f, k.g_f) * dot(k.g_w, k.g_w));
+        return std::acos(std::clamp(cos_2theta, -1.0, 1.0)) / 2;
     }
 
     void advance_pack(std::int32_t pack, std::int32_t at, std::span<const Eigen::Vector3d> x, double* forces,

@@ -73,6 +73,13 @@ struct ElementOutput {
     }
 };
 
+/// What may have gone wrong with an element.
+struct ElementCondition {
+    bool folded = false;        ///< folded over itself
+    double contact_factor = 0;  ///< alpha: 0 in the open trellis, 1 from the locking angle on
+    double braid_angle = 0;     ///< half of the angle between the yarns, rad
+};
+
 /// Which yarns of an element are not broken.
 struct IntactYarns {
     bool fill = true, warp = true;
@@ -164,6 +171,9 @@ class ElementGroup {
 
     [[nodiscard]] virtual IntactYarns intact_yarns(std::int32_t index) const = 0;
     [[nodiscard]] virtual ElementEnergy energy(std::int32_t index) const = 0;
+    /// @param x positions of the local nodes, m
+    [[nodiscard]] virtual ElementCondition condition(std::int32_t index,
+                                                     std::span<const Eigen::Vector3d> x) const = 0;
     /// @param x positions of the local nodes, m
     [[nodiscard]] virtual ElementOutput output(std::int32_t index,
                                                std::span<const Eigen::Vector3d> x) const = 0;

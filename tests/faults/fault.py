@@ -27,8 +27,8 @@ LONG = (
 
 
 def enter_own_mounts():
-    """Starts the script anew where it may mount file systems that nobody else sees. No privileges are needed, but
-    some systems forbid it."""
+    """Starts the script anew where it may mount file systems that nobody else sees. No privileges are needed.
+    Some systems forbid it."""
     if "WEAVEFRONT_OWN_MOUNTS" in os.environ:
         return
     for options in ("-Urm", "-m"):
@@ -69,8 +69,8 @@ class Disk:
 
 
 def end_by(program, output, overrides=LONG, ranks=1, options=(), fault=None, ready="results.vtkhdf"):
-    """Runs until `fault` has ended the run. It is called with the processes of the ranks once the file `ready` is
-    there.
+    """Runs until `fault` has ended the run. It is called with the processes of the ranks once the file
+    `ready` is there.
 
     Returns the status and the error lines. All ranks must be gone within SECONDS."""
     process = subprocess.Popen(

@@ -36,7 +36,7 @@ def check_stage(program, disk, stage, ranks):
     output = f"disk/{stage}{ranks}"
     overrides, options, file, ready = {
         "rows": ([*LONG, "output.history=0.1 us"], (), "history.csv", "results.vtkhdf"),
-        "frames": ([*LONG, "output.interval=20 us"], (), "results.vtkhdf", "results.vtkhdf"),
+        "frames": ([*LONG, "output.interval=100 us"], (), "results.vtkhdf", "results.vtkhdf"),
         "checkpoints": (LONG, ["--checkpoint-every", "30 steps"], "checkpoint.h5", "checkpoint.previous.h5"),
         "last_checkpoint": (LONG, (), "checkpoint.h5", "results.vtkhdf"),
     }[stage]

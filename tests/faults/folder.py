@@ -39,7 +39,7 @@ def main():
         disk.unmount()
 
         # Noticed at once where much is written, and else within 1000 steps.
-        often = [*LONG, "output.interval=20 us"]
+        often = [*LONG, "output.interval=100 us"]
         seldom = [*LONG, "time.end=200 ms", "output.interval=200 ms", "output.history=200 ms"]  # some minutes
         for ranks, overrides in ((1, seldom), (2, often), (3, seldom)):
             output = f"removed{ranks}"

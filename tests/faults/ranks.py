@@ -50,8 +50,8 @@ def check_failing_alone(program, name, ranks, limit, message):
 def check_shared_memory(program, size, is_lacking):
     """Ranks that cannot share memory send messages: same rows, and a warning."""
     disk = Disk("/dev/shm", size)
-    output, short = f"shared_{size}", ("time.end=20 us",)
-    assert end_by(program, output, short, 2)[0] == 0
+    output, short = f"shared_{size}", ("target.mesh={center: 0.5 mm, edge: 1 mm}", "time.end=2 us")
+    program.run(output, short, 2)  # some hundred times slower where processes share cores
     log = (program.folder / output / "run.log").read_text()
     assert ("/dev/shm has no room for the memory that they would share" in log) == is_lacking, log
     disk.unmount()

@@ -73,9 +73,9 @@ class Impact::Run {
         try {
             ending = advance(progress);
         } catch (const solver::GuardStop& stop) {
-            ending = {Ending::Kind::stopped, stop.what()};
+            ending = stopped(stop.what(), stop.fault());
         } catch (const io::NotFinite& refused) {
-            ending = {Ending::Kind::stopped, refused.what()};
+            ending = stopped(refused.what(), solver::Fault::not_finite);
         } catch (const io::FileError& failure) {
             log_.record(fmt::format("Ended at t = {:.6g} us after {} steps: {}", simulation_.time() * 1e6,
                                     simulation_.steps(), failure.what()));
@@ -132,6 +132,7 @@ class Impact::Run {
                 last_ = simulation_.record_balance();
                 require_balance();
             }
+            require_in_place();
             const bool is_last = end || (balanced_ == simulation_.steps() && is_decided());
             if (frames_.due(simulation_.time()) || is_last) write_frame();
             if (is_last) return {Ending::Kind::finished, end ? "end time reached" : "the outcome is decided"};
@@ -143,6 +144,11 @@ class Impact::Run {
             if (leaves) return leave();
             progress.update(simulation_.time(), simulation_.steps(), report_.projectile_text(simulation_));
         }
+    }
+
+    /// What the guard has found, with the place and the cause. @note Collective
+    [[nodiscard]] Ending stopped(const std::string& reason, solver::Fault fault) const {
+        return {Ending::Kind::stopped, fmt::format("{}; {}", reason, simulation_.diagnosis(fault))};
     }
 
     /// Asks the other ranks for what this one knows of: signals, and on the first rank the clock.
@@ -177,6 +183,13 @@ class Impact::Run {
         is_rebalanced_ = true;
     }
 
+    /// Not only when the next frame is due, which may be days later.
+    void require_in_place() {
+        if (simulation_.steps() - looked_ < steps_between_balances) return;
+        history_->require_in_place();
+        looked_ = simulation_.steps();
+    }
+
     void write_row() {
         last_ = simulation_.record_balance();
         {
@@ -204,7 +217,7 @@ class Impact::Run {
         try {
             write_frame();
         } catch (const io::NotFinite& refused) {
-            if (reason != refused.what()) reason += std::string("; ") + refused.what();
+            if (!reason.starts_with(refused.what())) reason += std::string("; ") + refused.what();
             reason += results_->frames() > 0
                           ? fmt::format("; the last frame is that of t = {:.6g} us", last_frame_ * 1e6)
                           : "; no frame was written";
@@ -313,6 +326,7 @@ class Impact::Run {
     std::optional<solver::LoadWatch> load_;
     solver::Balance last_;
     std::int64_t balanced_ = 0;  // step
+    std::int64_t looked_ = 0;    // step at which history.csv was found in its place
     double last_frame_ = 0;      // time, s
     bool is_rebalanced_ = false;
 };

@@ -161,6 +161,12 @@ void PlyContact::press_batch(Slave& slave, Batch& batch, std::size_t target, con
     }
 }
 
+double PlyContact::penetration(const Surface& surface, std::int32_t facet) const {
+    const double most = memory_.largest(facet);
+    const auto ply = surface.facets[static_cast<std::size_t>(facet)].ply;
+    return most > 0 ? most / distances_.between(ply, ply + 1) : 0;
+}
+
 std::vector<std::int32_t> PlyContact::behind_next_ply(const Surface& surface, std::span<const Vec3> x) const {
     return facets_behind_next_ply(surface, candidates_, distances_, x);
 }

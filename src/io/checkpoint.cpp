@@ -15,8 +15,9 @@
 
 #include "agreement.hpp"
 #include "checkpoint_blocks.hpp"
+#include "dataset_rows.hpp"
+#include "descriptor.hpp"
 #include "file_checksum.hpp"
-#include "hdf5_collective.hpp"
 #include "hdf5_group_writer.hpp"
 #include "hdf5_reader.hpp"
 #include "weavefront/io/file_error.hpp"
@@ -96,25 +97,24 @@ H5Dataset open_dataset(const H5File& file, const std::string& path, const std::s
         checked(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), "reading " + path + ": " + name));
 }
 
-void write_columns(const std::string& path, const std::vector<TableBlocks>& tables,
-                   const parallel::Communicator& comm, Agreement& agreement) {
-    H5File file;
-    agreement.attempt([&] { file = open_by_all(path, comm); });
-    agreement.settle<FileError>();
+H5File open_to_read(const std::string& path) {
+    return H5File(
+        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "reading " + path));
+}
+
+/// This rank's blocks of the columns.
+void write_columns(const std::string& path, const std::vector<TableBlocks>& tables, int rank) {
+    const Descriptor to(path, O_WRONLY);
+    const auto file = open_to_read(path);
     for (const auto& table : tables)
         for (const auto& column : table.columns) {
             const auto name = "/" + table.name + "/" + column.name;
-            agreement.attempt([&] {
-                write_rows<double>(open_dataset(file, path, name + "/values"), column.first_value,
-                                   column.block.values, "writing " + path + ": " + name);
-                if (column.per_item < 0)
-                    write_rows<std::int32_t>(open_dataset(file, path, name + "/counts"),
-                                             table.blocks.begin(comm.rank()), column.block.counts,
-                                             "writing " + path + ": " + name);
-            });
+            DatasetRows(file, path, name + "/values", native_type<double>())
+                .write(to, column.first_value, column.block.values);
+            if (column.per_item < 0)
+                DatasetRows(file, path, name + "/counts", native_type<std::int32_t>())
+                    .write(to, table.blocks.begin(rank), column.block.counts);
         }
-    agreement.attempt([&] { close(file, "closing " + path); });
-    agreement.settle<FileError>();
 }
 
 /// Number of values in a dataset of one dimension.
@@ -123,11 +123,6 @@ std::int64_t rows_of(const H5Dataset& dataset, const std::string& doing) {
     if (columns != 1)
         throw FileError(fmt::format("{} failed: it has {} columns, allowed is 1", doing, columns));
     return rows;
-}
-
-H5File open_to_read(const std::string& path) {
-    return H5File(
-        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "reading " + path));
 }
 
 /// Compares what the file holds with what it should. @throws FileError
@@ -152,17 +147,32 @@ void require_written(const std::string& path, const std::vector<TableBlocks>& ta
         }
 }
 
-/// Takes the room of the whole file from the disk: HDF5 does not survive a disk that is full at the wrong
-/// moment.
-void reserve_room(const std::string& path) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    struct stat found {};
-    int cause = descriptor >= 0 && ::fstat(descriptor, &found) == 0 ? 0 : errno;
-    if (cause == 0 && found.st_size > 0) cause = ::posix_fallocate(descriptor, 0, found.st_size);
-    if (descriptor >= 0) ::close(descriptor);
-    if (cause != 0)
-        throw FileError(
-            fmt::format("{} cannot be written: {}", path, std::generic_category().message(cause)));
+/// Bytes that the file takes, at most.
+std::int64_t most_bytes(const CheckpointContent& content, const std::vector<TableBlocks>& tables) {
+    constexpr std::int64_t of_object = 4096;  // of HDF5's structure
+    const auto size = [](const auto& values) { return static_cast<std::int64_t>(values.size()); };
+    std::int64_t bytes = of_object + size(content.scene), objects = 4 + size(content.values);
+    for (const auto& value : content.values)
+        std::visit([&](const auto& values) { bytes += size(values) * std::int64_t{sizeof(values[0])}; },
+                   value.content);
+    for (const auto& table : tables) {
+        objects += 1 + 3 * size(table.columns);
+        for (const auto& column : table.columns)
+            bytes += std::int64_t{sizeof(double)} * column.all_values +
+                     (column.per_item < 0 ? std::int64_t{sizeof(std::int32_t)} * table.blocks.total : 0);
+    }
+    return bytes + of_object * objects;
+}
+
+/// Creates the file with room on the disk for all of it. HDF5 does not survive a disk that is full, or a
+/// limit of the size, while it writes: so the room is asked for before it begins, and taken when it is done.
+void create_with_room(const std::string& path, const CheckpointContent& content,
+                      const std::vector<TableBlocks>& tables) {
+    Descriptor(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW).reserve(most_bytes(content, tables));
+    ::unlink(path.c_str());
+    create_file(path, content, tables);
+    const Descriptor file(path, O_WRONLY);
+    file.reserve(file.size());
 }
 
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -220,11 +230,11 @@ void write_checkpoint(const std::filesystem::path& path, CheckpointContent conte
         agreement.attempt_on_root([&] {
             require_regular_or_missing(path);
             ::unlink(unfinished.c_str());  // of a run that was killed
-            create_file(unfinished, content, tables);
-            reserve_room(unfinished);
+            create_with_room(unfinished, content, tables);
         });
         agreement.settle<FileError>();
-        write_columns(unfinished, tables, comm, agreement);
+        agreement.attempt([&] { write_columns(unfinished, tables, comm.rank()); });
+        agreement.settle<FileError>();
         agreement.attempt([&] { require_written(unfinished, tables, comm.rank()); });
         agreement.settle<FileError>();
         seal_file(unfinished, comm);

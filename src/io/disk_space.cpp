@@ -52,11 +52,4 @@ double taken_by(const std::filesystem::path& path) {
     return ::stat(path.c_str(), &found) == 0 ? of_block * static_cast<double>(found.st_blocks) : 0.0;
 }
 
-bool is_disk_full(const std::filesystem::path& path) {
-    std::error_code unknown;
-    const auto disk = std::filesystem::space(path, unknown);
-    constexpr std::uintmax_t hardly_any = 1 << 20;
-    return !unknown && disk.available < hardly_any;
-}
-
 }  // namespace weavefront::io

@@ -20,7 +20,4 @@ void require_size(const ResultsSetup& setup);
 /// What the disk gets back when a file is replaced, bytes: results are sparse until they are written.
 double taken_by(const std::filesystem::path& path);
 
-/// Whether the disk of a file has hardly any room left.
-bool is_disk_full(const std::filesystem::path& path);
-
 }  // namespace weavefront::io

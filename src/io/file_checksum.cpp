@@ -2,20 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <span>
-#include <system_error>
 #include <vector>
 
 #include "agreement.hpp"
+#include "descriptor.hpp"
 #include "weavefront/io/file_error.hpp"
 
 namespace weavefront::io {
@@ -33,46 +30,6 @@ struct Seal {
     std::uint64_t checksum = 0;  ///< XXH3 of the checksums of the pieces
 };
 static_assert(sizeof(Seal) == 32);
-
-class Descriptor {
-  public:
-    Descriptor(const std::string& path, int flags)
-        : path_(path), number_(::open(path.c_str(), flags | O_CLOEXEC)) {
-        if (number_ < 0) fail();
-    }
-    ~Descriptor() { ::close(number_); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    [[nodiscard]] std::int64_t size() const {
-        struct stat found {};
-        if (::fstat(number_, &found) != 0) fail();
-        return found.st_size;
-    }
-    void read(std::span<std::byte> bytes, std::int64_t at) const {
-        while (!bytes.empty()) {
-            const auto got = ::pread(number_, bytes.data(), bytes.size(), at);
-            if (got < 0 && errno == EINTR) continue;
-            if (got < 0) fail();
-            if (got == 0) throw FileError(fmt::format("{} is cut at {} bytes", path_, at));
-            bytes = bytes.subspan(static_cast<std::size_t>(got));
-            at += got;
-        }
-    }
-    void append(const Seal& seal, std::int64_t at) const {
-        if (::pwrite(number_, &seal, sizeof(seal), at) != static_cast<ssize_t>(sizeof(seal))) fail();
-    }
-    void sync() const {
-        if (::fsync(number_) != 0) fail();
-    }
-    [[noreturn]] void fail() const {
-        throw FileError(fmt::format("{}: {}", path_, std::generic_category().message(errno)));
-    }
-
-  private:
-    std::string path_;
-    int number_;
-};
 
 /// XXH3 of the first bytes of a file. @note Collective
 std::uint64_t checksum_of(const std::string& path, std::int64_t bytes, Agreement& agreement,
@@ -118,7 +75,7 @@ void seal_file(const std::string& path, const parallel::Communicator& comm) {
     seal.checksum = checksum_of(path, bytes, agreement, comm);
     agreement.attempt_on_root([&] {
         const Descriptor file(path, O_RDWR);
-        file.append(seal, bytes);
+        file.write(std::as_bytes(std::span(&seal, 1)), bytes);
         file.sync();
     });
     agreement.settle<FileError>();

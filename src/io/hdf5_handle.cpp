@@ -1,5 +1,7 @@
 #include "hdf5_handle.hpp"
 
+#include <string_view>
+
 #include "weavefront/io/file_error.hpp"
 
 namespace weavefront::io {
@@ -11,6 +13,16 @@ namespace {
 herr_t take_innermost(unsigned index, const H5E_error2_t* error, void* reason) {
     if (index == 0 && error->desc != nullptr) *static_cast<std::string*>(reason) = error->desc;
     return 0;
+}
+
+/// Of a failed call to the system HDF5 tells time, file, address and more in several lines: what the system
+/// says is the reason.
+std::string of_system(const std::string& reason) {
+    constexpr std::string_view before = "error message = '";
+    const auto at = reason.find(before);
+    if (at == std::string::npos) return reason.substr(0, reason.find('\n'));
+    const auto first = at + before.size();
+    return reason.substr(first, reason.find('\'', first) - first);
 }
 
 }  // namespace
@@ -26,7 +38,7 @@ hid_t checked(hid_t result, const std::string& doing) {
     if (result >= 0) return result;
     std::string reason;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_innermost, &reason);
-    throw FileError(doing + " failed" + (reason.empty() ? "" : ": " + reason));
+    throw FileError(doing + " failed" + (reason.empty() ? "" : ": " + of_system(reason)));
 }
 
 H5Properties unlocked_access(const std::string& doing) {

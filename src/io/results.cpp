@@ -1,18 +1,20 @@
 #include "weavefront/io/results.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "agreement.hpp"
+#include "dataset_rows.hpp"
+#include "descriptor.hpp"
 #include "disk_space.hpp"
 #include "frame_checks.hpp"
 #include "frame_publisher.hpp"
-#include "hdf5_collective.hpp"
 #include "results_continued.hpp"
 #include "results_copy.hpp"
 #include "results_skeleton.hpp"
@@ -43,21 +45,26 @@ std::vector<To> converted(const From& values) {
 
 /// What all ranks write to together.
 struct OpenArrays {
-    H5File file;
-    H5Dataset points, hidden;
-    std::vector<H5Dataset> point_data, cell_data;
+    Descriptor file;
+    DatasetRows points, hidden;
+    std::vector<DatasetRows> point_data, cell_data;
 
-    /// @note Collective
-    OpenArrays(const std::string& path, const Frame& layout, const parallel::Communicator& comm)
-        : file(open_by_all(path, comm)) {
-        const auto dataset = [&](const std::string& name) {
-            return H5Dataset(checked(H5Dopen2(file.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT),
-                                     "opening " + path + ": " + name));
+    OpenArrays(const std::string& path, const Frame& layout, const std::string& shown)
+        : file(path, O_WRONLY, shown) {
+        const H5File structure(
+            checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "opening " + path));
+        const auto rows = [&](const std::string& name, hid_t type) {
+            return DatasetRows(structure, path, "/VTKHDF/" + name, type);
         };
-        points = dataset("Points");
-        for (const auto& array : layout.point_data) point_data.push_back(dataset("PointData/" + array.name));
-        for (const auto& array : layout.cell_data) cell_data.push_back(dataset("CellData/" + array.name));
-        hidden = dataset(std::string("CellData/") + hidden_name);
+        const auto type_of = [](const Array& array) {
+            return array.integer ? native_type<std::int8_t>() : native_type<double>();
+        };
+        points = rows("Points", native_type<double>());
+        for (const auto& array : layout.point_data)
+            point_data.push_back(rows("PointData/" + array.name, type_of(array)));
+        for (const auto& array : layout.cell_data)
+            cell_data.push_back(rows("CellData/" + array.name, type_of(array)));
+        hidden = rows(std::string("CellData/") + hidden_name, native_type<std::uint8_t>());
     }
 };
 
@@ -67,8 +74,7 @@ struct OpenArrays {
 class Results::File {
   public:
     File(const ResultsSetup& setup, const parallel::Communicator& comm)
-        : exceptions_(std::uncaught_exceptions()),
-          comm_(comm),
+        : comm_(comm),
           setup_(without_values(setup)),
           path_(setup.path.string()),
           sizes_(setup),
@@ -91,8 +97,7 @@ class Results::File {
     }
 
     File(const ResultsSetup& setup, std::int64_t frames, const parallel::Communicator& comm)
-        : exceptions_(std::uncaught_exceptions()),
-          comm_(comm),
+        : comm_(comm),
           setup_(without_values(setup)),
           path_(setup.path.string()),
           sizes_(setup),
@@ -113,11 +118,7 @@ class Results::File {
         open(path_);
     }
 
-    ~File() {
-        remove_unfinished();
-        // Closing is for all ranks, and the others may not get here.
-        if (std::uncaught_exceptions() > exceptions_) (void)arrays_.release();
-    }
+    ~File() { remove_unfinished(); }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
@@ -214,7 +215,7 @@ class Results::File {
 
     void open(const std::string& path) {
         Agreement agreement(comm_);
-        agreement.attempt([&] { arrays_ = std::make_unique<OpenArrays>(path, setup_.layout, comm_); });
+        agreement.attempt([&] { arrays_ = std::make_unique<OpenArrays>(path, setup_.layout, path_); });
         settle_creation(agreement);
         agreement.attempt_on_root([&] { publisher_.emplace(path); });
         settle_creation(agreement);
@@ -250,10 +251,6 @@ class Results::File {
         open(path_);
     }
 
-    [[nodiscard]] std::string doing(const std::string& name) const {
-        return "writing " + path_ + ": " + name;
-    }
-
     void write_arrays(const Frame& frame, Agreement& agreement) const {
         const auto first_point = frames_ * sizes_.all_points() + nodes_.first();
         const auto first_cell = frames_ * sizes_.all_cells() + elements_.first();
@@ -261,7 +258,7 @@ class Results::File {
         for (const auto& point : setup_.surface.points)
             for (std::size_t i = 0; i < 3; ++i) surface.push_back(point[i] + frame.projectile[i]);
         const auto points = with_rows_of_last_rank(comm_, nodes_.to_block<double>(frame.points, 3), surface);
-        agreement.attempt([&] { write_rows<double>(arrays_->points, first_point, points, doing("Points")); });
+        agreement.attempt([&] { arrays_->points.write(arrays_->file, first_point, points); });
 
         for (std::size_t i = 0; i < arrays_->point_data.size(); ++i)
             write_array(arrays_->point_data[i], frame.point_data[i], nodes_, first_point,
@@ -274,11 +271,10 @@ class Results::File {
         for (auto& value : hidden) value = value != 0 ? vtk_hidden_cell : std::uint8_t{0};
         const auto shown = std::vector<std::uint8_t>(setup_.surface.quads.size(), 0);
         const auto values = with_rows_of_last_rank(comm_, elements_.to_block<std::uint8_t>(hidden), shown);
-        agreement.attempt(
-            [&] { write_rows<std::uint8_t>(arrays_->hidden, first_cell, values, doing(hidden_name)); });
+        agreement.attempt([&] { arrays_->hidden.write(arrays_->file, first_cell, values); });
     }
 
-    void write_array(const H5Dataset& dataset, const Array& array, const BlockExchange& exchange,
+    void write_array(const DatasetRows& rows, const Array& array, const BlockExchange& exchange,
                      std::int64_t first, std::size_t surface_items, Agreement& agreement) const {
         auto item = array.projectile;
         item.resize(static_cast<std::size_t>(array.components), 0.0);
@@ -289,17 +285,14 @@ class Results::File {
             with_rows_of_last_rank(comm_, exchange.to_block<double>(array.values, array.components), surface);
         agreement.attempt([&] {
             if (array.integer)
-                write_rows<std::int8_t>(dataset, first, converted<std::int8_t>(values), doing(array.name));
+                rows.write(arrays_->file, first, converted<std::int8_t>(values));
             else
-                write_rows<double>(dataset, first, values, doing(array.name));
+                rows.write(arrays_->file, first, values);
         });
     }
 
-    // The arrays are written as they are handed over, and metadata do not change: all that is left to flush
-    // is the operating system.
-    void sync() const { checked(H5Fflush(arrays_->file.get(), H5F_SCOPE_GLOBAL), "writing " + path_); }
+    void sync() const { arrays_->file.sync(); }
 
-    int exceptions_;  // under way when this was made
     const parallel::Communicator& comm_;
     ResultsSetup setup_;
     std::string path_;
@@ -321,15 +314,7 @@ Results::~Results() = default;
 Results::Results(Results&&) noexcept = default;
 Results& Results::operator=(Results&&) noexcept = default;
 
-void Results::write(const Frame& frame) {
-    try {
-        file_->write(frame);
-    } catch (const FileError& failure) {
-        // of which MPI-IO says nothing
-        throw FileError(std::string(failure.what()) +
-                        (is_disk_full(file_->path()) ? ": No space left on device" : ""));
-    }
-}
+void Results::write(const Frame& frame) { file_->write(frame); }
 
 void Results::publish() {
     const QuietHdf5 quiet;

@@ -1,8 +1,10 @@
 #include "results_topology.hpp"
 
+#include <fcntl.h>
+
 #include <span>
 
-#include "hdf5_collective.hpp"
+#include "dataset_rows.hpp"
 #include "results_skeleton.hpp"
 
 namespace weavefront::io {
@@ -34,13 +36,13 @@ std::vector<std::int64_t> closing_offsets(const PartSizes& sizes) {
 
 void write_topology(const std::string& path, const ResultsSetup& setup, const BlockExchange& elements,
                     const parallel::Communicator& comm) {
-    H5File file = open_by_all(path, comm);
+    const Descriptor to(path, O_WRONLY);
+    const H5File file(
+        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "opening " + path));
     const auto write = [&]<class T>(const std::string& name, std::int64_t first, std::vector<T> of_fabric,
                                     const std::vector<T>& after) {
-        const std::string doing = "writing " + path + ": " + name;
-        const H5Dataset dataset(
-            checked(H5Dopen2(file.get(), ("/VTKHDF/" + name).c_str(), H5P_DEFAULT), doing));
-        write_rows<T>(dataset, first, with_rows_of_last_rank(comm, std::move(of_fabric), after), doing);
+        const DatasetRows rows(file, path, "/VTKHDF/" + name, native_type<T>());
+        rows.write(to, first, with_rows_of_last_rank(comm, std::move(of_fabric), after));
     };
     const auto surface = flat(setup.surface.quads);
     const auto quads = setup.surface.quads.size();
@@ -53,7 +55,6 @@ void write_topology(const std::string& path, const ResultsSetup& setup, const Bl
     write("Types", elements.first(), types, std::vector<std::uint8_t>(quads, vtk_quad));
     write("CellData/ply", elements.first(), elements.to_block<std::int32_t>(setup.topology.ply),
           std::vector<std::int32_t>(quads, 0));
-    close(file, "closing " + path);
 }
 
 }  // namespace weavefront::io

@@ -13,7 +13,25 @@ namespace {
 
 // Ranks that fail for the same reason arrive within the time that it takes to free their memory.
 constexpr auto patience = std::chrono::seconds(5);
+// Ranks that do not fail first end what they are at, such as a write to a slow disk.
+constexpr auto patience_in_agreement = std::chrono::seconds(10);
 constexpr auto between_looks = std::chrono::milliseconds(1);
+
+/// Waits, asleep, for a request that the other ranks take part in. A rank with a failure waits for some time
+/// only.
+void wait_asleep(MPI_Request& request, const std::string& failure, std::chrono::seconds longest) {
+    const auto deadline = std::chrono::steady_clock::now() + longest;
+    for (;;) {
+        int done = 0;
+        check(MPI_Test(&request, &done, MPI_STATUS_IGNORE));
+        if (done != 0) return;
+        if (!failure.empty() && std::chrono::steady_clock::now() > deadline) {
+            tell_failure(failure);
+            end_all_ranks();
+        }
+        std::this_thread::sleep_for(between_looks);
+    }
+}
 
 }  // namespace
 
@@ -40,24 +58,19 @@ void meet(const Communicator& comm, const std::string& failure) {
     if (comm.size() == 1) return;
     MPI_Request all_here = MPI_REQUEST_NULL;
     check(MPI_Ibarrier(comm.get(), &all_here));
-    const auto deadline = std::chrono::steady_clock::now() + patience;
-    for (;;) {
-        int done = 0;
-        check(MPI_Test(&all_here, &done, MPI_STATUS_IGNORE));
-        if (done != 0) return;
-        if (!failure.empty() && std::chrono::steady_clock::now() > deadline) {
-            tell_failure(failure);
-            end_all_ranks();
-        }
-        std::this_thread::sleep_for(between_looks);
-    }
+    wait_asleep(all_here, failure, patience);
 }
 
 std::string first_failure(const Communicator& comm, const std::string& failure) {
     if (comm.size() == 1) return failure;
     const int candidate = failure.empty() ? comm.size() : comm.rank();
     int speaker = candidate;
-    check(MPI_Allreduce(&candidate, &speaker, 1, MPI_INT, MPI_MIN, comm.get()));
+    MPI_Request all_told = MPI_REQUEST_NULL;
+    check(MPI_Iallreduce(&candidate, &speaker, 1, MPI_INT, MPI_MIN, comm.get(), &all_told));
+    if (failure.empty())
+        check(MPI_Wait(&all_told, MPI_STATUS_IGNORE));
+    else
+        wait_asleep(all_told, failure, patience_in_agreement);
     if (speaker == comm.size()) return {};
     std::string text = failure;
     int length = static_cast<int>(text.size());

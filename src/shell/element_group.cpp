@@ -90,22 +90,36 @@ ElementEnergy ElementGroup::energy(std::int32_t index) const {
     return {state.work * size, hourglass_energy(index), state.friction_work * size};
 }
 
-ElementOutput ElementGroup::output(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
-    const auto state = element_state(index);
-    const auto yarns = fabric::yarn_state<any_yarns>(constants_, state);
+std::array<Vector<double>, 4> ElementGroup::element_corners(std::int32_t index,
+                                                            std::span<const Eigen::Vector3d> x) const {
     std::array<Vector<double>, 4> corners;
     for (std::size_t a = 0; a < 4; ++a) {
         const auto node = nodes(index / pack_width)[a][static_cast<std::size_t>(index % pack_width)];
         const auto& at = x[static_cast<std::size_t>(node)];
         corners[a] = {at.x(), at.y(), at.z()};
     }
+    return corners;
+}
+
+double ElementGroup::braid_angle(std::int32_t index, const std::array<Vector<double>, 4>& corners) const {
     const auto k = kinematics_of(whole_quad(index), corners);
     const double cos_2theta = dot(k.g_f, k.g_w) / std::sqrt(dot(k.g_f, k.g_f) * dot(k.g_w, k.g_w));
+    return std::acos(std::clamp(cos_2theta, -1.0, 1.0)) / 2;
+}
+
+ElementCondition ElementGroup::condition(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
+    const auto corners = element_corners(index, x);
+    return {is_inverted(corners), element_state(index).alpha, braid_angle(index, corners)};
+}
+
+ElementOutput ElementGroup::output(std::int32_t index, std::span<const Eigen::Vector3d> x) const {
+    const auto state = element_state(index);
+    const auto yarns = fabric::yarn_state<any_yarns>(constants_, state);
     return {yarns.eps_f,
             yarns.eps_w,
             yarns.sigma_f,
             yarns.sigma_w,
-            std::acos(std::clamp(cos_2theta, -1.0, 1.0)) / 2,
+            braid_angle(index, element_corners(index, x)),
             state.h_f,
             state.intact_f == 0,
             state.intact_w == 0};

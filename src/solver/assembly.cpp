@@ -9,7 +9,7 @@ namespace weavefront::solver {
 void Assembly::start(std::vector<FixedVector>& sums) {
     std::ranges::fill(sums, FixedVector{});
     faulty_element_ = -1;
-    faulty_contact_ = false;
+    faulty_contacts_.clear();
 }
 
 void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces,
@@ -20,7 +20,7 @@ void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<cons
         for (std::size_t a = 0; a < 3; ++a) {
             const double force = forces[(a * 3 + d) * width + lane];
             if (!scale_.fits(force)) {
-                if (faulty_element_ < 0) faulty_element_ = element;
+                if (faulty_element_ < 0 || element < faulty_element_) faulty_element_ = element;
                 return;
             }
             corner[a][d] = scale_.from(force);
@@ -98,7 +98,7 @@ void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>
             fits =
                 fits && scale_.fits(pair.on_slave[a][component]) && scale_.fits(pair.on_master[a][component]);
         if (!fits) {
-            faulty_contact_ = true;
+            faulty_contacts_.push_back(pair.slave);
             return;
         }
         total[d] = scale_.from(pair.total[component]);

@@ -25,19 +25,21 @@ void require_balance(const Balance& balance, double limit, std::int64_t step) {
     const auto when = fmt::format("at t = {:.6g} us, step {} (limits.energy_error allows {:.3g} %)",
                                   balance.time * 1e6, step, limit * 100);
     if (std::abs(balance.closure_error) > limit)
-        throw GuardStop(fmt::format(
-            "the energy balance is off by {:.3g} % of the {:.3g} J that the projectile has handed over {}",
-            balance.closure_error * 100, balance.transferred_energy, when));
-    const auto require_taken = [&](const char* what, double energy) {
+        throw GuardStop(fmt::format("the energy balance is off by {:.3g} % of the {:.3g} J that the "
+                                    "projectile has handed over {}",
+                                    balance.closure_error * 100, balance.transferred_energy, when),
+                        Fault::energy_sum);
+    const auto require_taken = [&](const char* what, double energy, Fault fault) {
         if (energy < -limit * balance.transferred_energy)
             throw GuardStop(
                 fmt::format("{} given {:.3g} J more than {} had taken, of {:.3g} J that the projectile has "
                             "handed over {}",
-                            what, -energy, what[0] == 'y' ? "they" : "it", balance.transferred_energy, when));
+                            what, -energy, what[0] == 'y' ? "they" : "it", balance.transferred_energy, when),
+                fault);
     };
-    require_taken("yarns have", balance.internal);
-    require_taken("friction has", balance.friction);
-    require_taken("contact has", balance.contact);
+    require_taken("yarns have", balance.internal, Fault::internal);
+    require_taken("friction has", balance.friction, Fault::friction);
+    require_taken("contact has", balance.contact, Fault::contact);
 }
 
 double Simulation::damping_work(std::size_t node, const Vec3& next, double backward, double forward) const {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "diagnosis.hpp"
 #include "free_edges.hpp"
 #include "misses.hpp"
 #include "weavefront/solver/central_difference.hpp"
@@ -44,13 +45,6 @@ constexpr double ledger_strain = 0.1;
 
 // A time step not more than this factor below its bound is kept: a change costs new relaxation coefficients.
 constexpr double worth_raising = 1.05;
-
-std::string place_of(const mesh::Panel& panel, std::int64_t element) {
-    const auto corners = panel.footprint(element % panel.columns());
-    const Vec3 centre = (panel.position(0, corners[0]) + panel.position(0, corners[2])) / 2;
-    return fmt::format("element {} (ply {}, at x = {:.4g} mm, y = {:.4g} mm)", element,
-                       element / panel.columns() + 1, centre.x() * 1e3, centre.y() * 1e3);
-}
 
 double mass_of(const scene::Scene& scene) {
     double density = 0;
@@ -272,18 +266,14 @@ void Simulation::apply_agreement() {
 }
 
 void Simulation::stop_at_fault() const {
-    constexpr auto none = std::numeric_limits<std::int64_t>::max();
-    const auto local = model_.assembly.faulty_element();
-    std::int64_t element = local < 0 ? none : model_.global.element_ids[static_cast<std::size_t>(local)];
-    comm_.min({&element, 1});
+    const auto element = faulty_element();
     const auto limit = 1024 * model_.assembly.scale().quantum() * 0x1p44;
     const auto where =
-        element == none ? std::string("a contact point or a breaking element") : place_of(panel_, element);
-    throw GuardStop(
-        fmt::format("the force of {} is not finite or above {:.3g} N at t = {:.6g} us, step {}: the "
-                    "deformation has become unstable; "
-                    "try a smaller time.safety",
-                    where, limit, clock_.time * 1e6, clock_.steps));
+        element < 0 ? std::string("a contact point or a breaking element") : place_of(panel_, element);
+    throw GuardStop(fmt::format("the force of {} is not finite or above {:.3g} N at t = {:.6g} us, step {}: "
+                                "the deformation has become unstable",
+                                where, limit, clock_.time * 1e6, clock_.steps),
+                    Fault::force);
 }
 
 Vec3 Simulation::without_mirrored(Vec3 force) const {

@@ -13,15 +13,36 @@ from small_run import Program, sets
 PLIES = (10, 8000)  # of one element each, so that nodes and plies count
 
 
-def check(program, plies):
-    """Megabytes that `check` states, and those that it took."""
-    overrides = [f"target.plies={{count: {plies}, fabric: a, spacing: 0.25 mm}}", "target.mesh={center: 20 mm}"]
-    process = subprocess.Popen([program.weavefront, "check", program.folder / "scene.yaml", *sets(overrides)], stdout=subprocess.PIPE, text=True)
+def call(command):
+    """What a command prints, and the megabytes that it took."""
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     text = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     assert process.returncode == 0, text
-    return float(re.search(r"memory +up to ([0-9.]+) MB", text).group(1)), usage.ru_maxrss * 1024 / 1e6
+    return text, usage.ru_maxrss * 1024 / 1e6
+
+
+def check(program, overrides):
+    """Megabytes that `check` states, and those that it took."""
+    text, taken = call([program.weavefront, "check", program.folder / "scene.yaml", *sets(overrides)])
+    return float(re.search(r"memory +up to ([0-9.]+) MB", text).group(1)), taken
+
+
+def check_plies(program, plies):
+    return check(program, [f"target.plies={{count: {plies}, fabric: a, spacing: 0.25 mm}}", "target.mesh={center: 20 mm}"])
+
+
+def check_checkpoints(program):
+    """A run that writes checkpoints takes no more than is said, beside the program itself."""
+    short = ["time.end=0.08 us", "output.interval=0", "output.history=0.08 us"]
+    fine = [*short, "target.mesh={center: 0.1 mm, edge: 0.1 mm}"]
+    said, _ = check(program, fine)
+    options = ["--checkpoint-every", "2 steps", "--overwrite"]
+    _, small = call(program.command("checkpoints", short, options=options))
+    _, large = call(program.command("checkpoints", fine, options=options))
+    print(f"a run with checkpoints: {large - small:.1f} MB more, {said:.1f} MB said")
+    assert 0.5 * said < large - small < said
 
 
 def available():
@@ -33,9 +54,10 @@ def main():
     weavefront, mpiexec = sys.argv[1:]
     with tempfile.TemporaryDirectory() as scratch:
         program = Program(weavefront, mpiexec, Path(scratch))
-        (few_said, few), (many_said, many) = (check(program, plies) for plies in PLIES)
+        (few_said, few), (many_said, many) = (check_plies(program, plies) for plies in PLIES)
         print(f"{many - few:.1f} MB more, {many_said - few_said:.1f} MB said")
         assert many - few < many_said - few_said
+        check_checkpoints(program)
 
         # Half as much again as there is, so that each rank alone would find enough.
         elements = 1.5 * available() / 500

@@ -31,6 +31,10 @@ class FrameContact {
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
                   std::span<const Vec3> v, double dt, double sliding_share, ContactForces& forces);
 
+    /// The largest penetration of an owned facet's points, m.
+    [[nodiscard]] double penetration(std::int32_t facet) const {
+        return largest_penetration(memories_, facet);
+    }
     /// State of an owned facet.
     template <class Archive>
     void state(Archive& archive, std::int32_t facet) {

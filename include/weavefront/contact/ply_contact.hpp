@@ -63,6 +63,8 @@ class PlyContact {
 
     /// Whether any point of an owned facet is in contact.
     [[nodiscard]] bool touches(std::int32_t facet) const { return memory_.holds(facet); }
+    /// The largest penetration of an owned facet's points, in contact distances to the next ply.
+    [[nodiscard]] double penetration(const Surface& surface, std::int32_t facet) const;
     /// State of an owned facet.
     template <class Archive>
     void state(Archive& archive, std::int32_t facet) {

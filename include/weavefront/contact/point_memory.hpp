@@ -2,6 +2,7 @@
 /// @file
 /// The state of contact points between plies that lasts from step to step.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,15 @@ class PointMemory {
     [[nodiscard]] FacetPoints recall(std::int32_t facet) const {
         const auto* points = penetrations_.find(facet);
         return points ? *points : FacetPoints{};
+    }
+    /// The largest penetration of a facet's points, m; 0: none presses.
+    [[nodiscard]] double largest(std::int32_t facet) const {
+        double most = 0;
+        if (const auto* points = penetrations_.find(facet))
+            for (const auto& batch : *points)
+                for (std::size_t i = 0; i < batch_width; ++i)
+                    most = std::max(most, batch.overlap[i] - batch.ignored[i]);
+        return most;
     }
     /// Replaces the penetrations of a facet.
     void keep(std::int32_t facet, const FacetPoints& points) { penetrations_.take(facet) = points; }

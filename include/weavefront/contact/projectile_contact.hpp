@@ -54,6 +54,10 @@ class ProjectileContact {
         const auto* memory = memories_.find(facet);
         return memory && !memory->points.empty();
     }
+    /// The largest penetration of an owned facet's points, m.
+    [[nodiscard]] double penetration(std::int32_t facet) const {
+        return largest_penetration(memories_, facet);
+    }
     /// State of an owned facet.
     template <class Archive>
     void state(Archive& archive, std::int32_t facet) {

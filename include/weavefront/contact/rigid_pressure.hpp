@@ -2,6 +2,7 @@
 /// @file
 /// Pressure of a rigid body on one facet.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -37,6 +38,15 @@ struct RigidMemory {
     std::vector<Point> points;     ///< empty away from the body
     double dissipated_budget = 0;  ///< J/m2, see PenaltyLaw
 };
+
+/// The largest penetration of a facet's points, m; 0: none presses.
+template <class Point>
+double largest_penetration(const FacetMemory<RigidMemory<Point>>& memories, std::int32_t facet) {
+    double most = 0;
+    if (const auto* memory = memories.find(facet))
+        for (const auto& point : memory->points) most = std::max(most, point.penetration.present());
+    return most;
+}
 
 /// Drops the points of a facet away from the body. Its dissipated budget stays.
 template <class Point>

@@ -25,8 +25,9 @@ void tell_failure(const std::string& message);
 /// @note Collective
 void meet(const Communicator& comm, const std::string& failure = {});
 
-/// The failure of the lowest rank that has one, returned on all ranks; empty: no rank has one. @note
-/// Collective
+/// The failure of the lowest rank that has one, returned on all ranks; empty: no rank has one. A rank with a
+/// failure waits for ten seconds only. After that, as in `meet`, the failure is printed and all ranks end.
+/// @note Collective
 [[nodiscard]] std::string first_failure(const Communicator& comm, const std::string& failure);
 
 }  // namespace weavefront::parallel

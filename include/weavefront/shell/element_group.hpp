@@ -74,6 +74,13 @@ struct ElementOutput {
     }
 };
 
+/// What may have gone wrong with an element.
+struct ElementCondition {
+    bool folded = false;        ///< folded over itself
+    double contact_factor = 0;  ///< alpha: 0 in the open trellis, 1 from the locking angle on
+    double braid_angle = 0;     ///< half of the angle between the yarns, rad
+};
+
 /// Which yarns of an element are not broken.
 struct IntactYarns {
     bool fill = true, warp = true;
@@ -139,6 +146,8 @@ class ElementGroup {
 
     [[nodiscard]] IntactYarns intact_yarns(std::int32_t index) const;
     [[nodiscard]] ElementEnergy energy(std::int32_t index) const;
+    /// @param x positions of the local nodes, m
+    [[nodiscard]] ElementCondition condition(std::int32_t index, std::span<const Eigen::Vector3d> x) const;
     /// @param x positions of the local nodes, m
     [[nodiscard]] ElementOutput output(std::int32_t index, std::span<const Eigen::Vector3d> x) const;
 
@@ -243,6 +252,10 @@ class ElementGroup {
     fabric::Constants constants_;
 
   private:
+    [[nodiscard]] std::array<Vector<double>, 4> element_corners(std::int32_t index,
+                                                                std::span<const Eigen::Vector3d> x) const;
+    /// Half of the angle between the yarns, rad.
+    [[nodiscard]] double braid_angle(std::int32_t index, const std::array<Vector<double>, 4>& corners) const;
     /// Elements of consecutive local indices.
     struct Run {
         std::int32_t first, element;  ///< index in the group, local index in the part

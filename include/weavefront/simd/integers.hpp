@@ -10,6 +10,10 @@
 
 namespace weavefront::simd {
 
+/// Bits as numbers that wrap: a diverging element may exceed the range before its fault is noticed.
+using WrappingBits [[gnu::vector_size(8 * register_width)]] = std::uint64_t;
+WEAVEFRONT_INLINE WrappingBits wrapping(const Bits& a) { return reinterpret_cast<WrappingBits>(a); }
+
 /// Eight integers.
 struct alignas(64) Integers {
     Bits part[registers];
@@ -30,16 +34,18 @@ struct alignas(64) Integers {
 
 WEAVEFRONT_INLINE Integers operator+(const Integers& a, const Integers& b) {
     Integers result;
-    for (int i = 0; i < registers; ++i) result.part[i] = a.part[i] + b.part[i];
+    for (int i = 0; i < registers; ++i)
+        result.part[i] = reinterpret_cast<Bits>(wrapping(a.part[i]) + wrapping(b.part[i]));
     return result;
 }
 WEAVEFRONT_INLINE Integers operator-(const Integers& a) {
     Integers result;
-    for (int i = 0; i < registers; ++i) result.part[i] = -a.part[i];
+    for (int i = 0; i < registers; ++i) result.part[i] = reinterpret_cast<Bits>(-wrapping(a.part[i]));
     return result;
 }
 
-/// Nearest integers, halves to even, as std::llrint. @pre |a| <= 2^54
+/// Nearest integers, halves to even, as std::llrint. They mean nothing above 2^54 and where a number is not
+/// finite.
 WEAVEFRONT_INLINE Integers nearest(const Pack& a) {
     Integers result;
     for (int i = 0; i < registers; ++i) {
@@ -52,8 +58,9 @@ WEAVEFRONT_INLINE Integers nearest(const Pack& a) {
         const Register shift = 0x1.8p52 - Register{};
         const Register high = a.part[i] * 0x1p-27 + shift;
         const Register low = (a.part[i] - (high - shift) * 0x1p27) + shift;
-        const Bits zero = reinterpret_cast<Bits>(shift);
-        result.part[i] = ((reinterpret_cast<Bits>(high) - zero) << 27) + (reinterpret_cast<Bits>(low) - zero);
+        const auto zero = reinterpret_cast<WrappingBits>(shift);
+        result.part[i] = reinterpret_cast<Bits>(((reinterpret_cast<WrappingBits>(high) - zero) << 27) +
+                                                (reinterpret_cast<WrappingBits>(low) - zero));
 #endif
     }
     return result;
@@ -68,8 +75,7 @@ WEAVEFRONT_INLINE Pack to_pack(const Integers& a) {
 #else
         // The lower half counts the units of 2^52, the upper one, raised by 2^31, those of 2^84: both are
         // exact, and so is their difference to these offsets; only the last sum rounds.
-        using Unsigned [[gnu::vector_size(8 * register_width)]] = std::uint64_t;
-        const auto bits = reinterpret_cast<Unsigned>(a.part[i]);
+        const auto bits = wrapping(a.part[i]);
         const auto low = reinterpret_cast<Register>((bits & 0xffffffff) | 0x4330000000000000);
         const auto high = reinterpret_cast<Register>((bits >> 32) ^ 0x4530000080000000);
         result.part[i] = (high - (0x1p84 + 0x1p63 + 0x1p52)) + low;

@@ -31,10 +31,14 @@ class Assembly {
     /// A pair in contact; what it exerts on the projectile is added to `on_projectile`.
     void add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums, FixedVector& on_projectile);
 
-    /// Local element whose force was not finite or out of range since `start`, or -1.
+    /// The lowest local element whose force was not finite or out of range since `start`, or -1.
     [[nodiscard]] std::int32_t faulty_element() const { return faulty_element_; }
     /// True when a contact force was not finite or out of range.
-    [[nodiscard]] bool faulty_contact() const { return faulty_contact_; }
+    [[nodiscard]] bool faulty_contact() const { return !faulty_contacts_.empty(); }
+    /// Nodes of the slaves of these forces.
+    [[nodiscard]] const std::vector<std::array<std::int32_t, 4>>& faulty_contacts() const {
+        return faulty_contacts_;
+    }
 
     [[nodiscard]] Vec3 value(const FixedVector& sum) const {
         return {scale_.to(sum[0]), scale_.to(sum[1]), scale_.to(sum[2])};
@@ -52,7 +56,7 @@ class Assembly {
 
     parallel::FixedPoint scale_;
     std::int32_t faulty_element_ = -1;
-    bool faulty_contact_ = false;
+    std::vector<std::array<std::int32_t, 4>> faulty_contacts_;
 };
 
 }  // namespace weavefront::solver

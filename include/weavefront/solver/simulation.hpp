@@ -16,6 +16,7 @@
 #include "weavefront/solver/balance.hpp"
 #include "weavefront/solver/clock.hpp"
 #include "weavefront/solver/counts.hpp"
+#include "weavefront/solver/guard.hpp"
 #include "weavefront/solver/joined_fabric.hpp"
 #include "weavefront/solver/ledger.hpp"
 #include "weavefront/solver/model.hpp"
@@ -75,6 +76,10 @@ class Simulation {
     /// The same, and its extremes are counted. @note Collective
     Balance record_balance();
 
+    /// Where and why the guard has stopped, and what to try: a clause to be added to the message of the stop.
+    /// It is the same on all ranks and on any number of them. @note Collective
+    [[nodiscard]] std::string diagnosis(Fault fault) const;
+
     [[nodiscard]] double time() const { return clock_.time; }
     /// That of the last step, s.
     [[nodiscard]] double last_time() const { return clock_.time - clock_.last_dt; }
@@ -127,6 +132,11 @@ class Simulation {
     void book_sliding(ContactKind kind);
     void count_contact_work(double dt);  // of half a step
     [[noreturn]] void stop_at_fault() const;
+    /// Global id of the lowest element with a force that is not finite or out of range; -1: none.
+    /// @note Collective
+    [[nodiscard]] std::int64_t faulty_element() const;
+    [[nodiscard]] std::int64_t worst_element(Fault fault) const;
+    [[nodiscard]] double severity(Fault fault, std::size_t element) const;
     [[nodiscard]] bool moved_far() const;
     [[nodiscard]] Vec3 without_mirrored(Vec3 force) const;
     /// Change of a node's velocity without damping. @param step from the middle of the last step to that of

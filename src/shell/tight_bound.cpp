@@ -27,18 +27,19 @@ constexpr fabric::Features any_fabric{.formulation = scene::Formulation::consist
 struct CoupledPack {
     simd::Mask alive;
     MembraneForm<Pack> form;
-    Pack c;       ///< part of the coupling in the element's plane, N/m
-    Pack tilted;  ///< square of the rest, which couples motion in the plane and out of it, 1/s4; 0: not
-                  ///< inclined
+    Pack c;                       ///< part of the coupling in the element's plane, N/m
+    Pack mixed_coupling_squared;  ///< square of the rest, which couples motion in the plane and out of it,
+                                  ///< 1/s4; 0: not inclined
     double out_of_plane;  ///< 1/s2
 
     /// Whether omega_squared is no bound. Motion out of the plane is eliminated: it takes its part
-    /// `tilted`/rest from omega_squared.
+    /// `mixed_coupling_squared`/rest from omega_squared.
     [[nodiscard]] WEAVEFRONT_INLINE simd::Mask above(double omega_squared) const {
         const Pack rest = omega_squared - out_of_plane;
-        const auto is_tilted = tilted > 0.0;
-        const Pack in_plane = omega_squared - select(is_tilted, Pack(tilted / rest), Pack(0.0));
-        return alive & ((is_tilted & (rest <= 0.0)) | exceeds(form, in_plane, c));
+        const auto is_inclined = mixed_coupling_squared > 0.0;
+        const Pack in_plane =
+            omega_squared - select(is_inclined, Pack(mixed_coupling_squared / rest), Pack(0.0));
+        return alive & ((is_inclined & (rest <= 0.0)) | exceeds(form, in_plane, c));
     }
 
     /// The bound of a lane by its eigenvalue; a little below, so that `above` decides.
@@ -49,8 +50,10 @@ struct CoupledPack {
                                            get(form.ww12), get(form.ww22), get(form.area)};
         const double in_plane = largest_eigenvalue(of_lane, get(c)), half = (in_plane - out_of_plane) / 2;
         const double both =
-            get(tilted) > 0 ? (in_plane + out_of_plane) / 2 + std::sqrt(half * half + get(tilted)) : in_plane;
-        return in_steps(both * (1 - 1e-12));
+            get(mixed_coupling_squared) > 0
+                ? (in_plane + out_of_plane) / 2 + std::sqrt(half * half + get(mixed_coupling_squared))
+                : in_plane;
+        return rounded_up(both * (1 - 1e-12));
     }
 };
 
@@ -60,7 +63,7 @@ void raise_to(double& known, const CoupledPack& pack, double limit) {
     constexpr int single_steps = 16;
     int steps = 0;
     for (auto above = pack.above(known); simd::any(above); above = pack.above(known)) {
-        double higher = in_steps(known * (1 + 1e-9));
+        double higher = rounded_up(known * (1 + 1e-9));
         for (int lane = 0; lane < pack_width && steps >= single_steps; ++lane) {
             const double bound = above.get(lane) ? pack.bound(lane) : 0.0;
             higher = bound < limit ? std::max(higher, bound) : limit;  // also where it is not a number
@@ -75,7 +78,7 @@ void raise_to(double& known, const CoupledPack& pack, double limit) {
 class StiffeningMonitor final : public ElementGroup::Monitor {
   public:
     StiffeningMonitor(const ElementGroup& group, const StiffeningTrigger& trigger)
-        : group_(group), yarns_(group, trigger.coupling), trigger_(trigger) {}
+        : group_(group), yarns_(group, trigger.coupling_factor), trigger_(trigger) {}
 
     void check(std::int32_t first, std::int32_t count) override {
         if (first == 0) has_straightened_ = false;
@@ -87,7 +90,7 @@ class StiffeningMonitor final : public ElementGroup::Monitor {
     }
 
     [[nodiscard]] bool has_stiffened() const override {
-        return has_straightened_ || (trigger_.packing && group_.any_packed());
+        return has_straightened_ || (trigger_.awaits_first_packing && group_.any_packed());
     }
 
   private:
@@ -125,26 +128,30 @@ void TightBound::raise(std::int32_t pack, std::int32_t at, const TighteningStart
     const Pack tiny = std::numeric_limits<double>::min(), length = sqrt(simd::max(dot(normal, normal), tiny));
     const Pack inverse = 1.0 / simd::max(Pack(state.lambda_f * state.lambda_w), tiny);
     const Pack cosine = dot(k.g_f, k.g_w) * inverse, sine = length * inverse;
-    const Pack lean =
+    const Pack cosine_to_axis =
         (normal.x * start.axis.x() + normal.y * start.axis.y() + normal.z * start.axis.z()) / length;
     const auto form = membrane_form(tangent, cosine, sine, gradient_products(quad), group_.areal_density());
     for (std::size_t i = 0; i < couplings.size(); ++i) {
         if (bounds[i] >= start.limits[i]) continue;
         const double c = couplings[i] * coupling_at_rest_;
-        CoupledPack coupled{
-            .alive = alive, .form = form, .c = c * lean, .tilted = 0.0, .out_of_plane = start.out_of_plane};
+        CoupledPack coupled{.alive = alive,
+                            .form = form,
+                            .c = c * cosine_to_axis,
+                            .mixed_coupling_squared = 0.0,
+                            .out_of_plane = start.out_of_plane};
         if (c > 0) {
-            const Pack area = c * form.area;
-            coupled.tilted = area * area * simd::max(Pack(1.0 - lean * lean), Pack(0.0));
+            const Pack coupling = c * form.area;  // 1/s2
+            coupled.mixed_coupling_squared =
+                coupling * coupling * simd::max(Pack(1.0 - cosine_to_axis * cosine_to_axis), Pack(0.0));
         }
         raise_to(bounds[i], coupled, start.limits[i]);
     }
 }
 
-double TightBound::slack_frequency(double coupling) const {
+double TightBound::slack_frequency(double coupling_factor) const {
     double highest = 0;
     if (!SlackYarns::any_in(group_)) return highest;
-    const SlackYarns yarns(group_, coupling);
+    const SlackYarns yarns(group_, coupling_factor);
     group_.for_packs(0, group_.packs(), [&](std::int32_t pack, std::int32_t at) {
         highest = std::max(highest, largest_lane(yarns.form(pack, at).largest_eigenvalue()));
     });

@@ -70,7 +70,9 @@ Vec3 FlatContact::axis(const Model& model, const parallel::Communicator& comm) c
     return axis.normalized();
 }
 
-// Normals and directions of contact stand within some angle of the axis, so within twice that of each other.
+// All normals and directions of contact lie within an angle of the axis. So any two of them lie within twice
+// this angle. Forces between plies need no look: they follow smoothed normals, which lie among those of
+// elements.
 double FlatContact::sine_squared(const Model& model, const Vec3& axis,
                                  std::span<const contact::PairForce> pairs,
                                  const parallel::Communicator& comm) {

@@ -21,23 +21,23 @@ namespace {
 // Packs whose forces are buffered between the kernel and the sums: small enough for the second-level cache.
 constexpr std::int32_t packs_at_once = 64;
 
-// Lists of what may meet hold what comes within this many edges of the smallest element: short lists against
-// few renewals.
+// A search lists the facets that may come within this distance, the skin, in edges of the smallest element. A
+// larger skin means longer lists and fewer searches.
 constexpr double skin_in_edges = 0.75;
 
-// Footprints of facets may approach by the skin: each of a pair by half of it, less this part of all, kept
-// for the step that is under way.
+// Candidates hold while each node stays within half of the skin of its swept bounds. A search becomes due
+// this part of the skin earlier, since one more step is taken before the search.
 constexpr double kept_of_skin = 0.125;
 
-// Ghosts are taken in from so much farther than they matter until the next search. In the 267 m/s example
-// they last for about five searches then, for 3 % more of them; where the mesh is about as fine as the reach
-// they may be a layer of columns more, three instead of two at 0.5 mm.
+// Ghosts are taken from this much farther than the next search needs, in edges of the smallest element. In
+// the 267 m/s example, 3 % more ghosts then last for about five searches. In a mesh as fine as the reach, the
+// distance may cost a layer of columns: three instead of two at 0.5 mm.
 constexpr double ghost_spare_in_edges = 0.5;
 
-// Nodes are expected anywhere on the way that they would take in so many steps.
+// The swept bounds of a node cover the way that it would take in so many steps.
 constexpr double steps_ahead = 40;
 
-// The projectile goes a small part of its radius in so many steps.
+// In so many steps the projectile moves by a small part of its radius.
 constexpr std::int64_t steps_between_passages = 20;
 
 // Strain of the stiffest yarns up to which the ledger resolves what they store.
@@ -113,7 +113,7 @@ void Simulation::advance_forces() {
     model_.assembly.start(model_.nodes.force);
     advance_elements();
     evaluate_contact();
-    agree_on_step();
+    sum_forces_and_agree();
     apply_agreement();
     hold_supports();
     if (clock_.steps >= next_check_ || step_.check_due > 0) adapt_time_step();
@@ -124,7 +124,8 @@ void Simulation::integrate() {
     {
         const Timed timed(seconds_, Phase::integrate);
         move_nodes();
-        count_contact_work(clock_.dt);
+        add_half_step_contact_work(clock_.dt);
+        // The contact forces of this step include the facets of elements that eroded in it.
         for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
         just_eroded_.clear();
     }
@@ -185,7 +186,7 @@ void Simulation::evaluate_contact() {
     const auto& nodes = model_.nodes;
     auto& normals = model_.normals;
     contact_.clear();
-    normals.new_positions();
+    normals.invalidate();
     const auto share = [&](ContactKind kind) { return sliding_[kind].share(); };
     if (model_.projectile_contact)
         model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile,
@@ -204,7 +205,7 @@ void Simulation::evaluate_contact() {
     if (model_.projectile_on_frame)
         frame_force_ =
             without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, clock_.last_dt));
-    count_contact_work(clock_.last_dt);
+    add_half_step_contact_work(clock_.last_dt);
     contact_.deepest.time = clock_.time;
     counts_.deepest.include(contact_.deepest);
 }
@@ -217,7 +218,8 @@ void Simulation::book_sliding(ContactKind kind) {
     contact_.sliding.clear();
 }
 
-void Simulation::count_contact_work(double dt) {
+/// The force at a time works half of a step with the velocity before it, half with the velocity after it.
+void Simulation::add_half_step_contact_work(double dt) {
     const auto& v = model_.nodes.v;
     for (const auto& pair : contact_.pairs) {
         double power =
@@ -234,8 +236,9 @@ void Simulation::count_contact_work(double dt) {
         ledger_.add(ledger_.contact, -frame_force_.dot(model_.projectile->velocity) * dt / 2 / multiplicity_);
 }
 
-/// Sums nodal forces and what the ranks have to agree on.
-void Simulation::agree_on_step() {
+/// Sums the forces of shared nodes and the integers of the step. The exchange of forces runs during the
+/// all-reduce. Every rank that holds a node, ghosts included, receives its full force and moves it by itself.
+void Simulation::sum_forces_and_agree() {
     const Timed timed(seconds_, Phase::halo);
     model_.exchange.start(comm_, model_.nodes.force);
     const auto has_stiffened = [](const auto& group) { return group->has_stiffened(); };

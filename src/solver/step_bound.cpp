@@ -25,7 +25,7 @@ shell::Frequencies<double> largest_frequencies(const Model& model, const paralle
 }  // namespace
 
 StepBound::StepBound(const scene::Scene& scene, const mesh::Panel& panel) : contact_(contact_modes(scene)) {
-    if (TightStepBound::may_hold(scene)) tight_.emplace(scene, panel);
+    if (TightStepBound::applies_to(scene)) tight_.emplace(scene, panel);
 }
 
 double StepBound::frequency_squared(const Model& model, std::span<const contact::PairForce> pairs,
@@ -35,7 +35,7 @@ double StepBound::frequency_squared(const Model& model, std::span<const contact:
     const double bound =
         tight_ ? tight_->frequency_squared(model, fabric, pairs, comm)
                : damped_frequency_squared(fabric.in_plane, fabric.out_of_plane, contact_, any_angle);
-    return shell::in_steps(bound);
+    return shell::rounded_up(bound);
 }
 
 std::int64_t StepBound::steps_to_next() const {

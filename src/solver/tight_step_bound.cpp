@@ -36,14 +36,15 @@ constexpr double follows_down = 0.98;
 // In one attempt of so many the neighbours of the best coupling are tried, too.
 constexpr int looks_beside = 8;
 
-// As many times at most no attempt is made, after others in vain.
-constexpr int longest_wait = 32;
+// At most so many attempts in a row are skipped.
+constexpr int most_skips = 32;
 
 // Slack yarns may straighten until their omega^2 is so much above the bound before a new one is sought. The
 // step is then half of this excess too long, far less than the safety factor leaves.
 constexpr double let_straighten = 1.03;
 
-double coupling_at_rest(const scene::Scene& scene) {
+/// The largest 4 c over the areal density of all fabrics, with the c of the fabric at rest, m2/s2.
+double coupling_over_density(const scene::Scene& scene) {
     double largest = 0;
     for (const auto& fabric : scene.fabrics)
         largest = std::max(largest,
@@ -74,7 +75,7 @@ bool any_packed(const Model& model) {
 
 }  // namespace
 
-bool TightStepBound::may_hold(const scene::Scene& scene) {
+bool TightStepBound::applies_to(const scene::Scene& scene) {
     const auto yarns = yarns_of(scene);
     return yarns.crimped || yarns.packing || contact_modes(scene).stiffness > 0;
 }
@@ -84,7 +85,7 @@ TightStepBound::TightStepBound(const scene::Scene& scene, const mesh::Panel& pan
       flat_contact_(panel),
       crimped_(yarns_of(scene).crimped),
       packing_(yarns_of(scene).packing),
-      coupling_at_rest_(coupling_at_rest(scene)),
+      coupling_over_density_(coupling_over_density(scene)),
       smallest_area_(smallest_area(panel)),
       free_edges_(free_edges(panel)) {}
 
@@ -98,7 +99,7 @@ double TightStepBound::frequency_squared(const Model& model, const shell::Freque
     const bool may_pay = has(Part::free_crossovers) &&
                          joint(present, least_in_plane * held.in_plane, present.sine_squared) < worth &&
                          (crimped_ || (packing_ && comm.max(any_packed(model) ? 1.0 : 0.0) > 0));
-    if (!may_pay || --waits_ >= 0) return bound;
+    if (!may_pay || skips_attempt()) return bound;
     return std::min(bound, attempt(model, present, start_of(present, worth), comm));
 }
 
@@ -141,6 +142,9 @@ shell::TighteningStart TightStepBound::start_of(const Present& present, double w
     return start;
 }
 
+/// Whether this attempt is skipped: each attempt in vain doubles the number of skips, up to `most_skips`.
+bool TightStepBound::skips_attempt() { return --skips_left_ >= 0; }
+
 /// The least bound on the whole model of all couplings; infinite where none reaches its limit. It sets the
 /// trigger.
 ///
@@ -158,19 +162,19 @@ double TightStepBound::attempt(const Model& model, const Present& present,
     best_ = -1;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         last_[i] = bounds[i] < start.limits[i] ? bounds[i] : 0;
-        const double coupling = shell::couplings[i];
-        if (coupling > 0 && free_edges_.too_near) continue;
-        const double in_plane = with_free_edges(bounds[i], coupling, start);
+        const double factor = shell::couplings[i];
+        if (factor > 0 && free_edges_.too_near) continue;
+        const double in_plane = with_free_edges(bounds[i], factor, start);
         if (!(in_plane < start.limits[i])) continue;
-        const double whole = joint(present, in_plane, coupling > 0 ? any_angle : present.sine_squared);
+        const double whole = joint(present, in_plane, factor > 0 ? any_angle : present.sine_squared);
         if (!(whole < least)) continue;
         least = whole;
         best_ = static_cast<int>(i);
     }
     ++attempts_;
-    // Where nothing is won the attempts become rare: a yarn that has straightened stays so for long.
-    will_wait_ = best_ >= 0 ? 1 : std::min(2 * will_wait_, longest_wait);
-    waits_ = best_ >= 0 ? 0 : will_wait_;
+    // Attempts in vain become rare: a yarn that has straightened stays straight for long.
+    next_skips_ = best_ >= 0 ? 1 : std::min(2 * next_skips_, most_skips);
+    skips_left_ = best_ >= 0 ? 0 : next_skips_;
     if (best_ >= 0) {
         const auto best = static_cast<std::size_t>(best_);
         trigger_ = trigger_of(model, shell::couplings[best], bounds[best], comm);
@@ -182,7 +186,8 @@ double TightStepBound::attempt(const Model& model, const Present& present,
 double TightStepBound::with_free_edges(double bound, double factor,
                                        const shell::TighteningStart& start) const {
     if (!(factor > 0)) return bound;
-    const double coupling = factor * coupling_at_rest_;
+    const double coupling = factor * coupling_over_density_;  // m2/s2
+    // The other modes of an element reach at most these two bounds. So the excess counts from them.
     const double inside = bound - std::max(start.hourglass, start.out_of_plane);
     const double at_edges = std::max(excess_on_edge(inside, coupling / free_edges_.edge),
                                      excess_at_corner(inside, coupling / free_edges_.corner));
@@ -190,13 +195,15 @@ double TightStepBound::with_free_edges(double bound, double factor,
                     coupling / smallest_area_);  // of an eroded element, which keeps the term
 }
 
-shell::StiffeningTrigger TightStepBound::trigger_of(const Model& model, double coupling, double bound,
+shell::StiffeningTrigger TightStepBound::trigger_of(const Model& model, double coupling_factor, double bound,
                                                     const parallel::Communicator& comm) const {
     std::array<double, 2> most{bound, any_packed(model) ? 1.0 : 0.0};
     for (const auto& group : model.groups)
-        most[0] = std::max(most[0], shell::TightBound(*group).slack_frequency(coupling));
+        most[0] = std::max(most[0], shell::TightBound(*group).slack_frequency(coupling_factor));
     comm.max(most);
-    return {.slack_frequency = let_straighten * most[0], .coupling = coupling, .packing = most[1] == 0};
+    return {.slack_frequency = let_straighten * most[0],
+            .coupling_factor = coupling_factor,
+            .awaits_first_packing = most[1] == 0};
 }
 
 void TightStepBound::set_triggers(Model& model) const {

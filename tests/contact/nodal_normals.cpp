@@ -52,7 +52,7 @@ TEST(NodalNormals, HaveTheSizeOfTheAreaAndLeaveOutTheEroded) {
     plies.x[10].z() += 1;
     EXPECT_LT((normals.at(5, plies.surface, plies.x) - Vec3(0, 0, 4)).norm(), 1e-14)
         << "until told of new positions";
-    normals.new_positions();
+    normals.invalidate();
     EXPECT_NE(normals.at(5, plies.surface, plies.x).x(), 0);
     EXPECT_EQ(normals.at(0, plies.surface, plies.x), Vec3::Zero());
 }

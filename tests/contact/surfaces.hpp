@@ -25,7 +25,7 @@ struct Plies {
     /// Those of the present positions.
     contact::NodalNormals& fresh_normals() {
         normals.rebuild(surface, x.size());
-        normals.new_positions();
+        normals.invalidate();
         return normals;
     }
 

@@ -131,7 +131,7 @@ TEST(Resolved, HashChangesWithEveryKey) {
     std::vector<std::string> overrides;
     for (const std::string& override : awkward) {
         overrides.push_back(override);
-        if (override.starts_with("target.plies")) overrides.push_back("target.symmetry=[]");
+        if (override.starts_with("target.plies")) overrides.emplace_back("target.symmetry=[]");
         EXPECT_TRUE(hashes.insert(parse(example, overrides).hash).second ||
                     override.starts_with("target.symmetry"))
             << override;

@@ -136,11 +136,11 @@ TEST(TightStepBound, IsOffUnlessItsPremisesHold) {
     const std::vector<std::string> straight_alone{"projectile=", "contact=", "fabrics.kevlar129.thickness=0",
                                                   "fabrics.kevlar129.friction=0",
                                                   "fabrics.kevlar129.lateral="};
-    EXPECT_FALSE(TightStepBound::may_hold(scene_with(straight_alone)));
-    EXPECT_FALSE(TightStepBound::may_hold(
+    EXPECT_FALSE(TightStepBound::applies_to(scene_with(straight_alone)));
+    EXPECT_FALSE(TightStepBound::applies_to(
         scene_with({"projectile=", "contact=", "fabrics.kevlar129.formulation=paper"})));
-    EXPECT_TRUE(TightStepBound::may_hold(scene_with({"projectile=", "contact="})));  // crimp and packing
-    EXPECT_TRUE(TightStepBound::may_hold(scene_with({"fabrics.kevlar129.formulation=paper"})));  // contact
+    EXPECT_TRUE(TightStepBound::applies_to(scene_with({"projectile=", "contact="})));  // crimp and packing
+    EXPECT_TRUE(TightStepBound::applies_to(scene_with({"fabrics.kevlar129.formulation=paper"})));  // contact
 }
 
 /// Flat fabric without coupling has the bound max(in_plane, out_of_plane + contact). Where contact is weak,

@@ -20,7 +20,7 @@ class NodalNormals {
     void rebuild(const Surface& surface, std::size_t nodes);
 
     /// Drops all normals, since positions have changed.
-    void new_positions() { computed_.clear(); }
+    void invalidate() { computed_.clear(); }
 
     /// Normals at the corners of a facet, as `at` returns them. @param x present positions, m
     std::array<Vec3, 4> of(const Facet& facet, const Surface& surface, std::span<const Vec3> x) {

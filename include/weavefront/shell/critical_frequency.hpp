@@ -29,9 +29,9 @@ WEAVEFRONT_INLINE Real with_hourglass(const simd::MaskOf<Real>& parallelogram, c
     return select(parallelogram, max(modes, uniform), Real(uniform + modes));
 }
 
-/// omega^2 in steps of two to four thousandths, upwards: an element that is no worse than one before it need
-/// not be computed then, and the time step does not follow the rounding of the state.
-inline double in_steps(double omega_squared) {
+/// Rounds omega^2 up by at most 0.4 %. An element that is no worse than one before it then needs no further
+/// computation, and the time step does not follow the rounding of the state.
+inline double rounded_up(double omega_squared) {
     constexpr double steps = 512;
     int exponent = 0;
     const double fraction = std::frexp(omega_squared, &exponent);

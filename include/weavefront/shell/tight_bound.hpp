@@ -19,14 +19,15 @@ class TightBound {
     /// @param group of the consistent formulation; it outlives the bound
     explicit TightBound(const ElementGroup& group);
 
-    /// Raises the bounds by those of the alive elements, for each of `couplings` up to its limit.
+    /// Raises each bound to at least the omega^2 of every alive element, or to its limit. There is one bound
+    /// for each of `couplings`.
     /// @param x positions of the local nodes, m
     void raise(const TighteningStart& start, std::span<const Eigen::Vector3d> x, TightBounds& bounds) const;
 
     /// omega^2 of the alive elements as if their yarns were slack and at right angles, 1/s2; 0 where the
     /// fabric has no crimp. It depends on the stretches and the crossover alone.
-    /// @param coupling one of `couplings`
-    [[nodiscard]] double slack_frequency(double coupling) const;
+    /// @param coupling_factor one of `couplings`
+    [[nodiscard]] double slack_frequency(double coupling_factor) const;
 
   private:
     void raise(std::int32_t pack, std::int32_t at, const TighteningStart& start,
@@ -38,9 +39,9 @@ class TightBound {
 
 /// What makes elements stiffer than a tight bound allows for.
 struct StiffeningTrigger {
-    double slack_frequency = 0;  ///< omega^2 of slack yarns, 1/s2: above it they have straightened
-    double coupling = 0;         ///< of `couplings`, for which that holds
-    bool packing = false;        ///< the first packed yarns, where none of any rank are
+    double slack_frequency = 0;         ///< omega^2 of slack yarns, 1/s2: above it they have straightened
+    double coupling_factor = 0;         ///< one of `couplings`, for which slack_frequency holds
+    bool awaits_first_packing = false;  ///< no rank has packed yarns; the first ones stiffen their element
 };
 
 /// Checks the trigger in every step. @param group outlives the monitor

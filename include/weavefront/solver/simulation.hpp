@@ -44,11 +44,14 @@ class Simulation {
     /// @note Collective, as all functions that are not const, and `balance`, `joined_fabric`
     Simulation(const scene::Scene& scene, const parallel::Communicator& comm);
 
-    /// Elements, contact, halo sum, time step.
+    /// Advances elements and contact to the present positions, sums their forces over the ranks, zeroes the
+    /// supported forces, adapts the time step and notes passages. Called once per step, since history
+    /// variables advance.
     /// @throws GuardStop on all ranks when a force is not finite or out of range
     void advance_forces();
 
-    /// Velocities, positions, contact work, erosion; ghosts when what may meet has to be looked for anew.
+    /// Moves the nodes, books the contact work and removes eroded elements from the contact surface. Searches
+    /// for contact candidates and ghosts where a search is due.
     void integrate();
 
     /// Goes on with other columns on this rank, without changing a bit; between integrate and advance_forces.
@@ -119,7 +122,7 @@ class Simulation {
   private:
     void advance_elements();
     void evaluate_contact();
-    void agree_on_step();
+    void sum_forces_and_agree();
     void apply_agreement();
     void follow_model();
     void adapt_time_step();
@@ -130,7 +133,7 @@ class Simulation {
     void release_debris_nodes();
     void record_events(const shell::Events& events);
     void book_sliding(ContactKind kind);
-    void count_contact_work(double dt);  // of half a step
+    void add_half_step_contact_work(double dt);
     [[noreturn]] void stop_at_fault() const;
     /// Global id of the lowest element with a force that is not finite or out of range; -1: none.
     /// @note Collective
@@ -139,8 +142,7 @@ class Simulation {
     [[nodiscard]] double severity(Fault fault, std::size_t element) const;
     [[nodiscard]] bool moved_far() const;
     [[nodiscard]] Vec3 without_mirrored(Vec3 force) const;
-    /// Change of a node's velocity without damping. @param step from the middle of the last step to that of
-    /// Velocity of a local node in the middle of this step, m/s.
+    /// Velocity of a local node in the middle of this step, damping included, m/s.
     [[nodiscard]] Vec3 updated_velocity(std::size_t node) const;
     void look_for_passages();
 

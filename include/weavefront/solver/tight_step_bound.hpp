@@ -31,7 +31,7 @@ class TightStepBound {
   public:
     /// Whether any part may lower the bound of a scene. Flat contact needs contact. The other parts need
     /// crimped or packed yarns, and the consistent formulation in all plies.
-    [[nodiscard]] static bool may_hold(const scene::Scene& scene);
+    [[nodiscard]] static bool applies_to(const scene::Scene& scene);
 
     TightStepBound(const scene::Scene& scene, const mesh::Panel& panel);
 
@@ -45,7 +45,7 @@ class TightStepBound {
 
     /// Whether the elements are monitored for all that may make the last bound too low. It then holds for
     /// longer.
-    [[nodiscard]] bool is_monitored() const { return trigger_ && trigger_->packing; }
+    [[nodiscard]] bool is_monitored() const { return trigger_ && trigger_->awaits_first_packing; }
 
     /// Has the groups monitor what makes the last bound too low.
     void set_triggers(Model& model) const;
@@ -56,18 +56,19 @@ class TightStepBound {
         archive("step_bound.last", std::span(last_));
         archive("step_bound.best", best_);
         archive("step_bound.attempts", attempts_);
-        archive("step_bound.waits", waits_);
-        archive("step_bound.will_wait", will_wait_);
+        archive("step_bound.waits", skips_left_);
+        archive("step_bound.will_wait", next_skips_);
         bool is_set = trigger_.has_value();
         auto trigger = trigger_.value_or(shell::StiffeningTrigger{});
         archive("step_bound.trigger.is_set", is_set);
         archive("step_bound.trigger.slack_frequency", trigger.slack_frequency);
-        archive("step_bound.trigger.coupling", trigger.coupling);
-        archive("step_bound.trigger.packing", trigger.packing);
+        archive("step_bound.trigger.coupling", trigger.coupling_factor);
+        archive("step_bound.trigger.packing", trigger.awaits_first_packing);
         if constexpr (Archive::reads) trigger_ = is_set ? std::optional(trigger) : std::nullopt;
     }
 
   private:
+    bool skips_attempt();
     /// What all parts of one bound refer to.
     struct Present {
         shell::Frequencies<double> held;  ///< of the elements with crossovers held, 1/s2
@@ -84,21 +85,21 @@ class TightStepBound {
                                  const shell::TighteningStart& start, const parallel::Communicator& comm);
     [[nodiscard]] double with_free_edges(double bound, double factor,
                                          const shell::TighteningStart& start) const;
-    [[nodiscard]] shell::StiffeningTrigger trigger_of(const Model& model, double coupling, double bound,
-                                                      const parallel::Communicator& comm) const;
+    [[nodiscard]] shell::StiffeningTrigger trigger_of(const Model& model, double coupling_factor,
+                                                      double bound, const parallel::Communicator& comm) const;
 
     ContactModes contact_;
     FlatContact flat_contact_;
-    bool crimped_, packing_;   // of any ply, where all are of the consistent formulation
-    double coupling_at_rest_;  // 4 c over the areal density, m2/s2
-    double smallest_area_;     // m2
+    bool crimped_, packing_;        // of any ply, where all are of the consistent formulation
+    double coupling_over_density_;  // 4 c over the areal density, m2/s2
+    double smallest_area_;          // m2
     FreeEdges free_edges_;
     std::optional<shell::StiffeningTrigger> trigger_;
 
     // What the last attempts found: the bounds, 0 where none was sought; which coupling was best, none: -1;
     // the number of attempts; and how many times none is made, now and after the next one in vain.
     shell::TightBounds last_{};
-    int best_ = -1, attempts_ = 0, waits_ = 0, will_wait_ = 1;
+    int best_ = -1, attempts_ = 0, skips_left_ = 0, next_skips_ = 1;
 };
 
 }  // namespace weavefront::solver

@@ -30,7 +30,7 @@ struct CoupledPack {
     Pack c;                       ///< part of the coupling in the element's plane, N/m
     Pack mixed_coupling_squared;  ///< square of the rest, which couples motion in the plane and out of it,
                                   ///< 1/s4; 0: not inclined
-    double out_of_plane;  ///< 1/s2
+    double out_of_plane;          ///< 1/s2
 
     /// Whether omega_squared is no bound. Motion out of the plane is eliminated: it takes its part
     /// `mixed_coupling_squared`/rest from omega_squared.

@@ -4,11 +4,10 @@ set -euo pipefail
 
 usage() {
     cat <<'TEXT'
-usage: bash cmake/bootstrap.sh [setup|build|test|check|demo]
+usage: bash cmake/bootstrap.sh [setup|build|test|demo]
   setup   install the Debian packages that are missing (default)
   build   setup, then configure and build the release preset in build/release
   test    build, then run every test
-  check   setup, build with clang++ under sanitizers, run the quick tests, fuzz the readers, check style, count covered lines
   demo    setup, build the program, run the 428 m/s example on 2 ranks on a coarse mesh and draw it, in runs/demo
 TEXT
 }
@@ -19,8 +18,6 @@ packages=(
     libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev libudunits2-dev nlohmann-json3-dev libssl-dev libxxhash-dev
     python3 python3-h5py python3-matplotlib
 )
-
-check_packages=(clang clang-tidy llvm gcovr) # of the command check alone
 
 say() { printf '== %s\n' "$*"; }
 die() {
@@ -65,21 +62,6 @@ setup() {
     say "installing ${missing[*]}"
     as_root apt-get update -q=2
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q=2 -o Dpkg::Use-Pty=0 --no-install-recommends "${missing[@]}" >/dev/null
-}
-
-# All but what takes long under sanitizers; the command test runs it.
-check() {
-    packages+=("${check_packages[@]}")
-    setup
-    say 'building with clang++ in build/sanitizers'
-    cmake --preset sanitizers
-    cmake --build --preset sanitizers --parallel "$cores"
-    ctest --preset sanitizers --parallel "$cores"
-    say 'looking at the sources'
-    run-clang-tidy -quiet -j "$cores" -p build/sanitizers "$root/(src|partition)/" >build/sanitizers/clang-tidy.log 2>&1 ||
-        { grep -E 'warning:|error:' build/sanitizers/clang-tidy.log >&2; die 'clang-tidy objects'; }
-    say 'covered lines'
-    gcovr --config cmake/gcovr.cfg build/sanitizers
 }
 
 # build [TARGETS...], all targets without arguments
@@ -127,7 +109,6 @@ case "${1:-setup}" in
         build
         ctest --preset release --parallel "$cores"
         ;;
-    check) check ;;
     demo)
         setup
         build weavefront

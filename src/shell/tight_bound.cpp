@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "largest_lane.hpp"
 #include "slack_form.hpp"
@@ -74,29 +75,38 @@ void raise_to(double& known, const CoupledPack& pack, double limit) {
     }
 }
 
-/// Detects slack yarns that straighten, and the first packed yarns.
+/// Detects slack yarns that straighten, and the first packed yarns. It stays with its group, so that no step
+/// takes memory.
 class StiffeningMonitor final : public ElementGroup::Monitor {
   public:
-    StiffeningMonitor(const ElementGroup& group, const StiffeningTrigger& trigger)
-        : group_(group), yarns_(group, trigger.coupling_factor), trigger_(trigger) {}
+    explicit StiffeningMonitor(const ElementGroup& group) : group_(group) {}
+
+    /// @param trigger to look for from now on; none: nothing
+    void set(const std::optional<StiffeningTrigger>& trigger) {
+        trigger_ = trigger;
+        yarns_.reset();
+        has_straightened_ = false;
+        // Yarns that are straight from the start do not straighten.
+        if (trigger && SlackYarns::any_in(group_)) yarns_.emplace(group_, trigger->coupling_factor);
+    }
 
     void check(std::int32_t first, std::int32_t count) override {
         if (first == 0) has_straightened_ = false;
-        if (!SlackYarns::any_in(group_)) return;  // straight from the start
+        if (!yarns_) return;
         group_.for_packs(first, count, [&](std::int32_t pack, std::int32_t at) {
             if (!has_straightened_)
-                has_straightened_ = simd::any(yarns_.form(pack, at).above(trigger_.slack_frequency));
+                has_straightened_ = simd::any(yarns_->form(pack, at).above(trigger_->slack_frequency));
         });
     }
 
     [[nodiscard]] bool has_stiffened() const override {
-        return has_straightened_ || (trigger_.awaits_first_packing && group_.any_packed());
+        return has_straightened_ || (trigger_ && trigger_->awaits_first_packing && group_.any_packed());
     }
 
   private:
     const ElementGroup& group_;
-    SlackYarns yarns_;
-    StiffeningTrigger trigger_;
+    std::optional<StiffeningTrigger> trigger_;
+    std::optional<SlackYarns> yarns_;
     bool has_straightened_ = false;
 };
 
@@ -158,9 +168,9 @@ double TightBound::slack_frequency(double coupling_factor) const {
     return highest;
 }
 
-std::unique_ptr<ElementGroup::Monitor> monitor_stiffening(const ElementGroup& group,
-                                                          const StiffeningTrigger& trigger) {
-    return std::make_unique<StiffeningMonitor>(group, trigger);
+void monitor_stiffening(ElementGroup& group, const std::optional<StiffeningTrigger>& trigger) {
+    if (!group.monitor()) group.set_monitor(std::make_unique<StiffeningMonitor>(group));
+    dynamic_cast<StiffeningMonitor&>(*group.monitor()).set(trigger);
 }
 
 }  // namespace weavefront::shell

@@ -207,8 +207,7 @@ shell::StiffeningTrigger TightStepBound::trigger_of(const Model& model, double c
 }
 
 void TightStepBound::set_triggers(Model& model) const {
-    for (const auto& group : model.groups)
-        group->set_monitor(trigger_ ? shell::monitor_stiffening(*group, *trigger_) : nullptr);
+    for (const auto& group : model.groups) shell::monitor_stiffening(*group, trigger_);
 }
 
 }  // namespace weavefront::solver

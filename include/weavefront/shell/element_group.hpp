@@ -139,6 +139,7 @@ class ElementGroup {
     };
     /// @param monitor of this group; null: the stiffness is not checked
     void set_monitor(std::unique_ptr<Monitor> monitor) { monitor_ = std::move(monitor); }
+    [[nodiscard]] Monitor* monitor() { return monitor_.get(); }
     [[nodiscard]] bool has_stiffened() const { return monitor_ && monitor_->has_stiffened(); }
 
     /// Number of alive elements that are folded over themselves. @param x positions of the local nodes, m

@@ -3,7 +3,7 @@
 /// A tighter bound on the frequency of a group of elements than ElementGroup::frequencies.
 
 #include <Eigen/Core>
-#include <memory>
+#include <optional>
 #include <span>
 
 #include "weavefront/shell/coupling.hpp"
@@ -44,8 +44,7 @@ struct StiffeningTrigger {
     bool awaits_first_packing = false;  ///< no rank has packed yarns; the first ones stiffen their element
 };
 
-/// Checks the trigger in every step. @param group outlives the monitor
-std::unique_ptr<ElementGroup::Monitor> monitor_stiffening(const ElementGroup& group,
-                                                          const StiffeningTrigger& trigger);
+/// Checks a trigger in every step of a group from now on. @param trigger none: checks nothing
+void monitor_stiffening(ElementGroup& group, const std::optional<StiffeningTrigger>& trigger);
 
 }  // namespace weavefront::shell

@@ -7,7 +7,17 @@ import sys
 import tempfile
 from pathlib import Path
 
-from fault import LONG, Disk, Program, end_by, enter_own_mounts, require, require_readable, require_restart
+from fault import (
+    FRAMES,
+    LONG,
+    Disk,
+    Program,
+    end_by,
+    enter_own_mounts,
+    require,
+    require_readable,
+    require_restart,
+)
 
 FULL = "cannot be written: No space left on device"
 
@@ -36,7 +46,7 @@ def check_stage(program, disk, stage, ranks):
     output = f"disk/{stage}{ranks}"
     overrides, options, file, ready = {
         "rows": ([*LONG, "output.history=0.1 us"], (), "history.csv", "results.vtkhdf"),
-        "frames": ([*LONG, "output.interval=100 us"], (), "results.vtkhdf", "results.vtkhdf"),
+        "frames": ([*LONG, *FRAMES], (), "results.vtkhdf", "results.vtkhdf"),
         "checkpoints": (LONG, ["--checkpoint-every", "30 steps"], "checkpoint.h5", "checkpoint.previous.h5"),
         "last_checkpoint": (LONG, (), "checkpoint.h5", "results.vtkhdf"),
     }[stage]

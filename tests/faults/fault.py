@@ -3,6 +3,7 @@
 import csv
 import math
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -26,6 +27,10 @@ LONG = (
     "output.interval=20 ms",
     "output.history=20 ms",
 )
+
+
+# Few steps apart: with more ranks than cores, on a busy machine, a step may take a tenth of a second.
+FRAMES = ("time.end=4 ms", "output.interval=20 us", "output.history=4 ms")
 
 
 def enter_own_mounts():
@@ -89,15 +94,15 @@ def end_by(program, output, overrides=LONG, ranks=1, options=(), fault=None, rea
         stderr=subprocess.PIPE,
         text=True,
     )
-    end = threading.Timer(HANGING, process.kill)
-    end.start()
     pids = []
+    end = threading.Timer(HANGING, lambda: [os.kill(pid, signal.SIGKILL) for pid in [*pids, process.pid]])
+    end.start()
     if fault:
         folder = program.folder / output
         while not ((folder / ready).exists() and has_frame(folder / "results.vtkhdf")):
             assert process.poll() is None, process.communicate()
             time.sleep(0.005)
-        pids = processes_of(process)
+        pids += processes_of(process)
         assert len(pids) == ranks, pids
         fault(pids)
     told = time.monotonic()

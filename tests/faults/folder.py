@@ -5,7 +5,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from fault import LONG, Disk, Program, end_by, enter_own_mounts, require
+from fault import FRAMES, LONG, Disk, Program, end_by, enter_own_mounts, require
 
 GONE = "is no longer there: the file or its folder was moved, removed or replaced while the run wrote to it"
 
@@ -39,9 +39,9 @@ def main():
         disk.unmount()
 
         # Noticed at once where much is written, and else within 1000 steps.
-        often = [*LONG, "output.interval=100 us"]
+        often = [*LONG, *FRAMES]
         seldom = [*LONG, "time.end=200 ms", "output.interval=200 ms", "output.history=200 ms"]  # some minutes
-        for ranks, overrides in ((1, seldom), (2, often), (3, seldom)):
+        for ranks, overrides in ((1, seldom), (2, seldom), (3, often)):
             output = f"removed{ranks}"
             require(
                 end_by(program, output, overrides, ranks, fault=lambda _: shutil.rmtree(folder / output)),
@@ -51,7 +51,7 @@ def main():
             assert not (folder / output).exists()
         require(
             end_by(
-                program, "moved", seldom, 2, fault=lambda _: (folder / "moved").rename(folder / "elsewhere")
+                program, "moved", often, 2, fault=lambda _: (folder / "moved").rename(folder / "elsewhere")
             ),
             3,
             GONE,

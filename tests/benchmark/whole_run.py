@@ -33,8 +33,15 @@ def summary_of(commands):
     """Runs `weavefront run` commands side by side, each with a place for its output; their summaries."""
     with tempfile.TemporaryDirectory() as folder:
         places = [Path(folder) / str(n) for n in range(len(commands))]
-        started = [subprocess.Popen([*map(str, command), "--output", str(place)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-                   for command, place in zip(commands, places)]
+        started = [
+            subprocess.Popen(
+                [*map(str, command), "--output", str(place)],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
+            for command, place in zip(commands, places)
+        ]
         for one in started:
             _, error = one.communicate()
             if one.returncode:
@@ -50,8 +57,15 @@ def one_rank(command, overrides, repeats):
     """Nanoseconds an element-step by phase, of the fastest of the runs."""
     runs = [summary_of([[*command, *settings(overrides)]])[0] for _ in range(repeats)]
     best = min(runs, key=step_seconds)
-    phases = {phase: best["wall_seconds"][phase]["max"] * 1e9 / best["element_steps"] for phase in STEP_PHASES}
-    return {"nanoseconds": sum(phases.values()), "phases": phases, "elements": best["elements"], "steps": best["steps"]}
+    phases = {
+        phase: best["wall_seconds"][phase]["max"] * 1e9 / best["element_steps"] for phase in STEP_PHASES
+    }
+    return {
+        "nanoseconds": sum(phases.values()),
+        "phases": phases,
+        "elements": best["elements"],
+        "steps": best["steps"],
+    }
 
 
 def run_words(build, overrides, scene=SCENE):
@@ -92,9 +106,16 @@ def two_ranks(command, repeats):
     def ratio(together, *alone):
         return 1 / least_seconds(together) / sum(1 / least_seconds(runs) for runs in alone)
 
-    return {"elements": apart[0][0]["elements"], "steps": apart[0][0]["steps"], "ratio": ratio(both, *zip(*apart)),
-            "pairs": [ratio([one], *([run] for run in others)) for one, others in zip(both, apart)],
-            "least_seconds": {"two ranks": least_seconds(both), "one rank": list(map(least_seconds, zip(*apart)))}}
+    return {
+        "elements": apart[0][0]["elements"],
+        "steps": apart[0][0]["steps"],
+        "ratio": ratio(both, *zip(*apart)),
+        "pairs": [ratio([one], *([run] for run in others)) for one, others in zip(both, apart)],
+        "least_seconds": {
+            "two ranks": least_seconds(both),
+            "one rank": list(map(least_seconds, zip(*apart))),
+        },
+    }
 
 
 def output_share(build):
@@ -110,14 +131,32 @@ def step_command(build, overrides):
 
 def shot_command(build, overrides, steps, scene=SCENE):
     """The scene itself from its beginning on: the plies at rest, the projectile on its way."""
-    return [build / "tests/benchmark/benchmark_step", scene, *settings(overrides), "--warm-up", 0, "--speed", 0, "--steps", steps]
+    return [
+        build / "tests/benchmark/benchmark_step",
+        scene,
+        *settings(overrides),
+        "--warm-up",
+        0,
+        "--speed",
+        0,
+        "--steps",
+        steps,
+    ]
 
 
 def kernels(build, repeats):
     """Best items (or bytes) a second of each benchmark."""
     program = build / "tests/benchmark/benchmark_kernels"
-    report = json.loads(run([program, "--benchmark_format=json", f"--benchmark_repetitions={repeats}",
-                             "--benchmark_enable_random_interleaving=true"]))
+    report = json.loads(
+        run(
+            [
+                program,
+                "--benchmark_format=json",
+                f"--benchmark_repetitions={repeats}",
+                "--benchmark_enable_random_interleaving=true",
+            ]
+        )
+    )
     best = {}
     for entry in report["benchmarks"]:
         if entry["run_type"] == "iteration":
@@ -133,8 +172,11 @@ def roofline(build, overrides, rates, repeats):
     command = step_command(build, overrides)
     instructions, bytes_moved, printed = callgrind.traffic(list(map(str, command)), "measured_steps")
     element_steps = json.loads(printed)["elements"] * STEPS
-    result = {"instructions": instructions / element_steps, "bytes": bytes_moved / element_steps,
-              "nanoseconds": min(json.loads(run(command))["nanoseconds"] for _ in range(repeats))}
+    result = {
+        "instructions": instructions / element_steps,
+        "bytes": bytes_moved / element_steps,
+        "nanoseconds": min(json.loads(run(command))["nanoseconds"] for _ in range(repeats)),
+    }
     result["nanoseconds_of_instructions"] = result["instructions"] / rates["arithmetic"] * 1e9
     result["nanoseconds_of_bytes"] = result["bytes"] / rates["triad"] * 1e9
     least = max(result["nanoseconds_of_instructions"], result["nanoseconds_of_bytes"])
@@ -160,14 +202,27 @@ def measure(build, counted, repeats):
         "machine": {"processor": processor(), "cores": len(os.sched_getaffinity(0)), "load": load},
         "build": {"compiler": compiler(build), "arch": architecture(build), "registers": registers(build)},
         "targets": TARGETS,
-        "one_rank": {**{name: one_rank(run_words(build, []), [*CUT, *overrides], repeats) for name, overrides in cases.items()},
-                     "with ply contact, the whole example": one_rank(run_words(build, []), [], 2)},
-        "two_ranks": [two_ranks(shot_command(build, [], 600), 8 * repeats), two_ranks(shot_command(build, FINER, 300), 3 * repeats),
-                      two_ranks(shot_command(build, [], 20, SCALING), 2 * repeats)],
+        "one_rank": {
+            **{
+                name: one_rank(run_words(build, []), [*CUT, *overrides], repeats)
+                for name, overrides in cases.items()
+            },
+            "with ply contact, the whole example": one_rank(run_words(build, []), [], 2),
+        },
+        "two_ranks": [
+            two_ranks(shot_command(build, [], 600), 8 * repeats),
+            two_ranks(shot_command(build, FINER, 300), 3 * repeats),
+            two_ranks(shot_command(build, [], 20, SCALING), 2 * repeats),
+        ],
         "output": output_share(build),
-        "memory": {name: json.loads(run(step_command(build, overrides)))["bytes"] - CONNECTIVITY for name, overrides in cases.items()},
+        "memory": {
+            name: json.loads(run(step_command(build, overrides)))["bytes"] - CONNECTIVITY
+            for name, overrides in cases.items()
+        },
         "kernels": rates,
-        "roofline": {name: roofline(counted, overrides, counted_rates, repeats) for name, overrides in cases.items()},
+        "roofline": {
+            name: roofline(counted, overrides, counted_rates, repeats) for name, overrides in cases.items()
+        },
     }
 
 
@@ -179,18 +234,30 @@ def kernel_rows(kernels_of):
     names = sorted(next(iter(kernels_of.values())))
     table = [[name, *(f"{rates[name] / 1e6:.4g}" for rates in kernels_of.values())] for name in names]
     for kernel in ("crimp", "cell"):
-        table.append([f"{kernel}: pack over scalar (target: at least {', '.join(str(TARGETS[r]) for r in kernels_of)})",
-                      *(f"{rates[f'{kernel}/pack'] / rates[f'{kernel}/scalar']:.2f}" for rates in kernels_of.values())])
+        table.append(
+            [
+                f"{kernel}: pack over scalar (target: at least {', '.join(str(TARGETS[r]) for r in kernels_of)})",
+                *(
+                    f"{rates[f'{kernel}/pack'] / rates[f'{kernel}/scalar']:.2f}"
+                    for rates in kernels_of.values()
+                ),
+            ]
+        )
     return rows([["million items a second", *kernels_of], ["---"] * (len(kernels_of) + 1), *table])
 
 
 def roofline_text(figures, rates):
-    lines = [f"The processor does {rates['arithmetic'] / 1e9:.1f} vector additions and multiplications a nanosecond; memory gives "
-             f"{rates['triad'] / 1e9:.1f} GB/s (triad).", ""]
+    lines = [
+        f"The processor does {rates['arithmetic'] / 1e9:.1f} vector additions and multiplications a nanosecond; memory gives "
+        f"{rates['triad'] / 1e9:.1f} GB/s (triad).",
+        "",
+    ]
     for name, r in figures.items():
-        lines.append(f"- {name}: {r['instructions']:.0f} instructions and {r['bytes']:.0f} bytes an element-step, which take at least "
-                     f"{r['nanoseconds_of_instructions']:.0f} ns and {r['nanoseconds_of_bytes']:.0f} ns. Measured: {r['nanoseconds']:.0f} ns, "
-                     f"**{r['factor']:.1f}** times the limit that binds, {r['binds']}.")
+        lines.append(
+            f"- {name}: {r['instructions']:.0f} instructions and {r['bytes']:.0f} bytes an element-step, which take at least "
+            f"{r['nanoseconds_of_instructions']:.0f} ns and {r['nanoseconds_of_bytes']:.0f} ns. Measured: {r['nanoseconds']:.0f} ns, "
+            f"**{r['factor']:.1f}** times the limit that binds, {r['binds']}."
+        )
     return "\n".join(lines)
 
 
@@ -198,13 +265,31 @@ def page(result):
     one = result["one_rank"]
     template = (HERE / "whole_run.md.in").read_text()
     return template.format(
-        **result["machine"], **result["build"], targets=TARGETS, elements=one["without ply contact"]["elements"],
-        one_rank=rows([name, *(f"{case['phases'][p]:.1f}" for p in STEP_PHASES), f"**{case['nanoseconds']:.1f}**"] for name, case in one.items()),
-        steps=STEPS, two_ranks=rows([str(case["elements"]), str(case["steps"]), f"**{case['ratio']:.3f}**", f"{statistics.median(case['pairs']):.2f}",
-                                     f"{min(case['pairs']):.2f} to {max(case['pairs']):.2f}"] for case in result["two_ranks"]),
-        output=f"{result['output']['share']:.2%}", memory=rows([name, f"{value:.0f}"] for name, value in result["memory"].items()),
-        kernels=kernel_rows(result["kernels"]), roofline=roofline_text(result["roofline"], result["kernels"]["AVX2"]),
-        output_target=f"{TARGETS['output']:.0%}")
+        **result["machine"],
+        **result["build"],
+        targets=TARGETS,
+        elements=one["without ply contact"]["elements"],
+        one_rank=rows(
+            [name, *(f"{case['phases'][p]:.1f}" for p in STEP_PHASES), f"**{case['nanoseconds']:.1f}**"]
+            for name, case in one.items()
+        ),
+        steps=STEPS,
+        two_ranks=rows(
+            [
+                str(case["elements"]),
+                str(case["steps"]),
+                f"**{case['ratio']:.3f}**",
+                f"{statistics.median(case['pairs']):.2f}",
+                f"{min(case['pairs']):.2f} to {max(case['pairs']):.2f}",
+            ]
+            for case in result["two_ranks"]
+        ),
+        output=f"{result['output']['share']:.2%}",
+        memory=rows([name, f"{value:.0f}"] for name, value in result["memory"].items()),
+        kernels=kernel_rows(result["kernels"]),
+        roofline=roofline_text(result["roofline"], result["kernels"]["AVX2"]),
+        output_target=f"{TARGETS['output']:.0%}",
+    )
 
 
 def main():
@@ -216,9 +301,13 @@ def main():
     parser.add_argument("--repeats", type=int, default=5)
     options = parser.parse_args()
     callgrind.require()
-    counted = options.counted or (options.build if architecture(options.build) == "x86-64-v3" else options.build / "x86-64-v3")
+    counted = options.counted or (
+        options.build if architecture(options.build) == "x86-64-v3" else options.build / "x86-64-v3"
+    )
     if architecture(counted) != "x86-64-v3":
-        sys.exit(f"{counted} is built for {architecture(counted)}: configure with -DWEAVEFRONT_ARCH=x86-64-v3, since valgrind knows no AVX-512")
+        sys.exit(
+            f"{counted} is built for {architecture(counted)}: configure with -DWEAVEFRONT_ARCH=x86-64-v3, since valgrind knows no AVX-512"
+        )
     result = measure(options.build, counted, options.repeats)
     options.output.write_text(json.dumps(result, indent=2) + "\n")
     options.page.write_text(page(result))

@@ -54,7 +54,14 @@ class Study(unittest.TestCase):
         """Runs the study; returns what it printed and wrote to standard error."""
         (self.folder / "study.yaml").write_text(text)
         command = [MPIEXEC, "-n", str(ranks)] if ranks > 1 else []
-        command += [WEAVEFRONT, "study", self.folder / "study.yaml", "--output", self.folder / output, *arguments]
+        command += [
+            WEAVEFRONT,
+            "study",
+            self.folder / "study.yaml",
+            "--output",
+            self.folder / output,
+            *arguments,
+        ]
         command += [] if picture else ["--no-picture"]
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
@@ -67,8 +74,18 @@ class Study(unittest.TestCase):
     def test_writes_a_row_for_each_variant_and_reference(self):
         self.run_study(picture=True)
         rows = self.rows()
-        self.assertEqual([row["target.mesh.center"] for row in rows], ["4 mm", "4 mm", "2.5 mm", "2.5 mm", "2 mm", "2 mm", "1.5 mm", "1.5 mm"])
-        self.assertTrue(all(row["outcome"] == "finished" and int(row["element_steps"]) > 0 and float(row["wall_seconds"]) > 0 for row in rows))
+        self.assertEqual(
+            [row["target.mesh.center"] for row in rows],
+            ["4 mm", "4 mm", "2.5 mm", "2.5 mm", "2 mm", "2 mm", "1.5 mm", "1.5 mm"],
+        )
+        self.assertTrue(
+            all(
+                row["outcome"] == "finished"
+                and int(row["element_steps"]) > 0
+                and float(row["wall_seconds"]) > 0
+                for row in rows
+            )
+        )
         self.assertTrue(all(float(row["displacement_field_error"]) > 0 for row in rows[:6]))
         self.assertEqual({row["residual_velocity_error"] for row in rows[6:]}, {"0"})
         study = json.loads((self.folder / "out/study.json").read_text())
@@ -76,11 +93,15 @@ class Study(unittest.TestCase):
         self.assertTrue(any(study["quantities"][0]["pareto"]["element_steps"]))
         self.assertTrue((self.folder / "out/study.png").read_bytes().startswith(b"\x89PNG"))
         for row in rows:
-            self.assertTrue((self.folder / "out" / row["variant"] / "results.vtkhdf").exists(), row["variant"])
+            self.assertTrue(
+                (self.folder / "out" / row["variant"] / "results.vtkhdf").exists(), row["variant"]
+            )
 
     def test_peak_displacement_is_the_largest_of_the_whole_run(self):
         # Light enough to be thrown back well before the end.
-        text = STUDY.replace("residual_velocity", "peak_displacement").replace("order:", "set: {projectile.mass: 0.01 g, time.end: 60 us}\norder:")
+        text = STUDY.replace("residual_velocity", "peak_displacement").replace(
+            "order:", "set: {projectile.mass: 0.01 g, time.end: 60 us}\norder:"
+        )
         self.run_study(text, ranks=2)
         for row in self.rows():
             with open(self.folder / "out" / row["variant"] / "history.csv", newline="") as file:
@@ -92,7 +113,12 @@ class Study(unittest.TestCase):
         tables = []
         for ranks in (1, 2, 3):
             self.run_study(output=f"on{ranks}", ranks=ranks)
-            tables.append([{k: v for k, v in row.items() if k not in ("wall_seconds", "ranks")} for row in self.rows(f"on{ranks}")])
+            tables.append(
+                [
+                    {k: v for k, v in row.items() if k not in ("wall_seconds", "ranks")}
+                    for row in self.rows(f"on{ranks}")
+                ]
+            )
         self.assertEqual(tables[0], tables[1])
         self.assertEqual(tables[0], tables[2])
 
@@ -110,7 +136,9 @@ class Study(unittest.TestCase):
         self.assertEqual((kept / "summary.json").stat().st_mtime_ns, kept_at)
         self.assertTrue((torn / "summary.json").exists() and (gone / "summary.json").exists())
         strip = [{k: v for k, v in row.items() if k != "wall_seconds"} for row in before]
-        self.assertEqual([{k: v for k, v in row.items() if k != "wall_seconds"} for row in self.rows()], strip)
+        self.assertEqual(
+            [{k: v for k, v in row.items() if k != "wall_seconds"} for row in self.rows()], strip
+        )
 
     def test_repeats_variants_whose_summary_is_somebody_elses(self):
         self.run_study()
@@ -122,8 +150,14 @@ class Study(unittest.TestCase):
         self.run_study()
         errors = [row["residual_velocity_error"] for row in self.rows()]
         folders = [self.folder / "out" / row["variant"] for row in self.rows()]
-        for folder, change in zip(folders, (lambda text: text[: len(text) // 2], lambda text: text[: text.index(b"\n") + 1],
-                                            lambda text: text.replace(b"1", b"2", 1))):
+        for folder, change in zip(
+            folders,
+            (
+                lambda text: text[: len(text) // 2],
+                lambda text: text[: text.index(b"\n") + 1],
+                lambda text: text.replace(b"1", b"2", 1),
+            ),
+        ):
             (folder / "history.csv").write_bytes(change((folder / "history.csv").read_bytes()))
         (folders[3] / "results.vtkhdf").write_bytes((folders[3] / "results.vtkhdf").read_bytes()[:-1000])
         (folders[4] / "history.csv").unlink()
@@ -131,10 +165,26 @@ class Study(unittest.TestCase):
         self.assertEqual([row["residual_velocity_error"] for row in self.rows()], errors)
 
     def test_goes_on_after_a_signal(self):
-        text = STUDY.replace("order:", "set: {time.end: 20 ms, output.interval: 0 us, output.history: 10 us}\norder:").replace(", {field: displacement, time: 10 us}", "")
+        text = STUDY.replace(
+            "order:", "set: {time.end: 20 ms, output.interval: 0 us, output.history: 10 us}\norder:"
+        ).replace(", {field: displacement, time: 10 us}", "")
         (self.folder / "study.yaml").write_text(text)
-        process = subprocess.Popen([MPIEXEC, "-n", "2", WEAVEFRONT, "study", self.folder / "study.yaml", "--output", self.folder / "out", "--no-picture"],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen(
+            [
+                MPIEXEC,
+                "-n",
+                "2",
+                WEAVEFRONT,
+                "study",
+                self.folder / "study.yaml",
+                "--output",
+                self.folder / "out",
+                "--no-picture",
+            ],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         while len(list(self.folder.glob("out/*/summary.json"))) < 2:
             self.assertIsNone(process.poll())
             time.sleep(0.01)
@@ -171,69 +221,138 @@ class Study(unittest.TestCase):
         self.assertFalse((self.folder / "out").exists())
 
     def test_measured_values_are_a_reference(self):
-        (self.folder / "measured.csv").write_text("time,projectile_vz,residual_velocity\n0,100,90\n10e-6,100,\n")
-        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
+        (self.folder / "measured.csv").write_text(
+            "time,projectile_vz,residual_velocity\n0,100,90\n10e-6,100,\n"
+        )
+        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(
+            ", {field: displacement, time: 10 us}", ""
+        )
         self.run_study(text)
-        self.assertIn("absent.csv: cannot be read", self.run_study(text.replace("measured.csv", "absent.csv"), "none", status=2))
+        self.assertIn(
+            "absent.csv: cannot be read",
+            self.run_study(text.replace("measured.csv", "absent.csv"), "none", status=2),
+        )
         self.assertFalse((self.folder / "none").exists())
         for row in self.rows():
-            self.assertAlmostEqual(float(row["residual_velocity_error"]), abs(float(row["residual_velocity"]) - 90) / 90, places=8)
+            self.assertAlmostEqual(
+                float(row["residual_velocity_error"]),
+                abs(float(row["residual_velocity"]) - 90) / 90,
+                places=8,
+            )
             self.assertGreater(float(row["projectile_vz_l2_error"]), 0)
 
     def test_refuses_measured_values_that_are_compared_with_nothing(self):
-        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
-        for table, message in (("time,projectile_vz,residual_velocty\n0,100,90\n", "measured.csv:1:20: found column 'residual_velocty'"),
-                               ("residual_velocty\n90\n", "did you mean 'residual_velocity'?"),
-                               ("time,projectile_vz\n0,100\n0,90\n", "that ascends"), ("projectile_vz\n100\n", "that ascends"),
-                               ("time,projectile_vz\n0,abc\n", "measured.csv:2:3: projectile_vz: found 'abc', allowed a finite number"),
-                               ("time,projectile_vz\n0,100\n1e-6,nan\n", "measured.csv:3:6: projectile_vz: found 'nan', allowed a finite number"),
-                               ("time,projectile_vz\n0,100\ninf,90\n", "measured.csv:3:1: time: found 'inf', allowed a finite number"),
-                               ("time,projectile_vz\n0,100\n1e-6", "measured.csv:3:1: found 1 cells, allowed 2"),
-                               ("time,projectile_vz\n0,100\n", "measured.csv:1:6: projectile_vz: found 1 value, allowed are two or more"),
-                               ("time,projectile_vz\n20e-6,100\n30e-6,90\n",
-                                "measured.csv:1:6: projectile_vz: found values at 2e-05 to 3e-05 s, of which 0 at the times of "
-                                "center=4mm,velocity.2=100m_s, 0 to 1e-05 s; allowed are two or more of them"),
-                               # us for s: all begin at 0
-                               ("time,projectile_vz\n0,100\n5,99\n10,98\n", "found values at 0 to 10 s, of which 1 at the times of "),
-                               ("residual_velocity,time,projectile_vz\n,0,100\n,10e-6,90\n",
-                                "measured.csv:1:1: residual_velocity: found nothing in the first row")):
+        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(
+            ", {field: displacement, time: 10 us}", ""
+        )
+        for table, message in (
+            (
+                "time,projectile_vz,residual_velocty\n0,100,90\n",
+                "measured.csv:1:20: found column 'residual_velocty'",
+            ),
+            ("residual_velocty\n90\n", "did you mean 'residual_velocity'?"),
+            ("time,projectile_vz\n0,100\n0,90\n", "that ascends"),
+            ("projectile_vz\n100\n", "that ascends"),
+            (
+                "time,projectile_vz\n0,abc\n",
+                "measured.csv:2:3: projectile_vz: found 'abc', allowed a finite number",
+            ),
+            (
+                "time,projectile_vz\n0,100\n1e-6,nan\n",
+                "measured.csv:3:6: projectile_vz: found 'nan', allowed a finite number",
+            ),
+            (
+                "time,projectile_vz\n0,100\ninf,90\n",
+                "measured.csv:3:1: time: found 'inf', allowed a finite number",
+            ),
+            ("time,projectile_vz\n0,100\n1e-6", "measured.csv:3:1: found 1 cells, allowed 2"),
+            (
+                "time,projectile_vz\n0,100\n",
+                "measured.csv:1:6: projectile_vz: found 1 value, allowed are two or more",
+            ),
+            (
+                "time,projectile_vz\n20e-6,100\n30e-6,90\n",
+                "measured.csv:1:6: projectile_vz: found values at 2e-05 to 3e-05 s, of which 0 at the times of "
+                "center=4mm,velocity.2=100m_s, 0 to 1e-05 s; allowed are two or more of them",
+            ),
+            # us for s: all begin at 0
+            (
+                "time,projectile_vz\n0,100\n5,99\n10,98\n",
+                "found values at 0 to 10 s, of which 1 at the times of ",
+            ),
+            (
+                "residual_velocity,time,projectile_vz\n,0,100\n,10e-6,90\n",
+                "measured.csv:1:1: residual_velocity: found nothing in the first row",
+            ),
+        ):
             (self.folder / "measured.csv").write_text(table)
             self.assertIn(message, self.run_study(text, "none", ranks=2, status=2))
             self.assertFalse((self.folder / "none").exists())
-        (self.folder / "measured.csv").write_text("\ufefftime,projectile_vz\n0,100\n10e-6,100\n", encoding="utf-8")
+        (self.folder / "measured.csv").write_text(
+            "\ufefftime,projectile_vz\n0,100\n10e-6,100\n", encoding="utf-8"
+        )
         self.run_study(text)
         self.assertTrue(all(row["projectile_vz_l2_error"] for row in self.rows()))
 
     def test_says_which_ranges_and_units_it_compares(self):
-        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
-        (self.folder / "measured.csv").write_text("time,projectile_vz,residual_velocity\n-1e-6,100,95\n5e-6,99,\n8e-6,98,\n")
+        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(
+            ", {field: displacement, time: 10 us}", ""
+        )
+        (self.folder / "measured.csv").write_text(
+            "time,projectile_vz,residual_velocity\n-1e-6,100,95\n5e-6,99,\n8e-6,98,\n"
+        )
         said = self.run_study(text)
-        self.assertIn("  measured      projectile_vz: 3 values of 98 to 100 m/s at -1e-06 to 8e-06 s; 2 of them at the times of "
-                      "center=4mm,velocity.2=100m_s, 0 to 1e-05 s\n", said)
+        self.assertIn(
+            "  measured      projectile_vz: 3 values of 98 to 100 m/s at -1e-06 to 8e-06 s; 2 of them at the times of "
+            "center=4mm,velocity.2=100m_s, 0 to 1e-05 s\n",
+            said,
+        )
         self.assertIn("  measured      residual_velocity: 95 m/s\n", said)
-        self.assertRegex(said, r"  compared      projectile_vz: measured 98 to 100 m/s, computed \d\d\.\d+ to 100 m/s\n")
+        self.assertRegex(
+            said, r"  compared      projectile_vz: measured 98 to 100 m/s, computed \d\d\.\d+ to 100 m/s\n"
+        )
         self.assertNotIn("warning: measured", said)
         self.assertNotIn("another unit", said)
 
     def test_warns_of_measured_values_in_other_units(self):
-        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(", {field: displacement, time: 10 us}", "")
-        (self.folder / "measured.csv").write_text("time,projectile_vz\n0,0.1\n1e-5,0.099\n0.01,0.098\n")  # km/s, and far beyond the run
+        text = STUDY.replace("{variant: {target.mesh.center: 1.5 mm}}", "{file: measured.csv}").replace(
+            ", {field: displacement, time: 10 us}", ""
+        )
+        (self.folder / "measured.csv").write_text(
+            "time,projectile_vz\n0,0.1\n1e-5,0.099\n0.01,0.098\n"
+        )  # km/s, and far beyond the run
         said = self.run_study(text)
-        self.assertIn("warning: projectile_vz was measured over 1e+03 times the time of the run: another unit than s?", said)
-        self.assertIn("warning: measured values of projectile_vz are 0.001 times the computed ones: another unit than m/s?", said)
+        self.assertIn(
+            "warning: projectile_vz was measured over 1e+03 times the time of the run: another unit than s?",
+            said,
+        )
+        self.assertIn(
+            "warning: measured values of projectile_vz are 0.001 times the computed ones: another unit than m/s?",
+            said,
+        )
 
     def test_a_reference_may_be_a_named_variant(self):
-        text = STUDY.replace("{target.mesh.center: 1.5 mm}", "{target.mesh.center: 2 mm, speed: slow}").replace(
-            "{projectile.velocity.2: [100 m/s, 50 m/s]}", "speed: {fast: {projectile.velocity.2: 100 m/s}, slow: {projectile.velocity.2: 50 m/s}}")
+        text = STUDY.replace(
+            "{target.mesh.center: 1.5 mm}", "{target.mesh.center: 2 mm, speed: slow}"
+        ).replace(
+            "{projectile.velocity.2: [100 m/s, 50 m/s]}",
+            "speed: {fast: {projectile.velocity.2: 100 m/s}, slow: {projectile.velocity.2: 50 m/s}}",
+        )
         self.run_study(text)
         study = json.loads((self.folder / "out/study.json").read_text())
         self.assertEqual({row["compared_with"] for row in study["variants"]}, {"center=2mm,speed=slow"})
         self.assertEqual(len(study["variants"]), 6)  # the reference is one of them
-        self.assertIn("reference.variant.speed: found 'slwo', allowed one of fast, slow, did you mean 'slow'?",
-                      self.run_study(text.replace("speed: slow}", "speed: slwo}"), "none", status=2))
+        self.assertIn(
+            "reference.variant.speed: found 'slwo', allowed one of fast, slow, did you mean 'slow'?",
+            self.run_study(text.replace("speed: slow}", "speed: slwo}"), "none", status=2),
+        )
         # A path that the scene lacks is told with the scene's keys.
-        self.assertIn("study.yaml:7:43: target.mesh.centre: found an unknown key, allowed center, edge, growth",
-                      self.run_study(text.replace("{target.mesh.center: 2 mm", "{target.mesh.centre: 2 mm"), "none", status=2))
+        self.assertIn(
+            "study.yaml:7:43: target.mesh.centre: found an unknown key, allowed center, edge, growth",
+            self.run_study(
+                text.replace("{target.mesh.center: 2 mm", "{target.mesh.centre: 2 mm"), "none", status=2
+            ),
+        )
 
     def test_check_finds_what_is_off_by_more_than_its_tolerance(self):
         self.run_study()
@@ -242,13 +361,19 @@ class Study(unittest.TestCase):
         self.run_study(arguments=("--check", table))
         value = self.rows()[0]["residual_velocity"]
         table.write_text(table.read_text().replace(value, str(float(value) * 1.02)))
-        self.assertIn(f"residual_velocity is {value}, was", self.run_study(arguments=("--check", table), status=1))
+        self.assertIn(
+            f"residual_velocity is {value}, was", self.run_study(arguments=("--check", table), status=1)
+        )
         table.write_text(table.read_text().replace("finished", "stopped"))
-        self.assertIn("outcome is finished, was stopped", self.run_study(arguments=("--check", table), status=1))
+        self.assertIn(
+            "outcome is finished, was stopped", self.run_study(arguments=("--check", table), status=1)
+        )
 
     def test_check_refuses_a_table_that_cannot_be_compared_before_anything_is_computed(self):
         table = self.folder / "before.csv"
-        self.assertIn("before.csv: cannot be read", self.run_study(arguments=("--check", table), ranks=2, status=2))
+        self.assertIn(
+            "before.csv: cannot be read", self.run_study(arguments=("--check", table), ranks=2, status=2)
+        )
         table.write_text("variant,outcome,residual_velocity\ncenter=4mm,finished,fast\n")
         text = self.run_study(arguments=("--check", table), ranks=2, status=2)
         self.assertIn("before.csv:2: residual_velocity: found 'fast', allowed a number", text)

@@ -18,6 +18,7 @@
 #include "dataset_rows.hpp"
 #include "descriptor.hpp"
 #include "file_checksum.hpp"
+#include "file_in_memory.hpp"
 #include "hdf5_group_writer.hpp"
 #include "hdf5_reader.hpp"
 #include "weavefront/io/file_error.hpp"
@@ -64,11 +65,8 @@ void create_values(const std::string& path, const GroupWriter& root, const state
 }
 
 /// Everything but the values of the columns, by one process.
-void create_file(const std::string& path, const CheckpointContent& content,
-                 const std::vector<TableBlocks>& tables) {
-    const H5Properties creation = creation_properties(H5P_FILE_CREATE, path);
-    H5File file(checked(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), unlocked_access(path).get()),
-                        "creating " + path));
+void create_structure(const H5File& file, const std::string& path, const CheckpointContent& content,
+                      const std::vector<TableBlocks>& tables) {
     const GroupWriter root = GroupWriter::root(path, file.get());
     const auto number = [](const GroupWriter& group, const std::string& name, std::int64_t value) {
         group.attribute<std::int64_t>(name, std::span(&value, 1), H5T_STD_I64LE);
@@ -89,17 +87,11 @@ void create_file(const std::string& path, const CheckpointContent& content,
                 (void)of_column.dataset("counts", H5T_STD_I32LE, {extent(table.blocks.total)});
         }
     }
-    close(file, "closing " + path);
 }
 
 H5Dataset open_dataset(const H5File& file, const std::string& path, const std::string& name) {
     return H5Dataset(
         checked(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), "reading " + path + ": " + name));
-}
-
-H5File open_to_read(const std::string& path) {
-    return H5File(
-        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "reading " + path));
 }
 
 /// This rank's blocks of the columns.
@@ -164,15 +156,16 @@ std::int64_t most_bytes(const CheckpointContent& content, const std::vector<Tabl
     return bytes + of_object * objects;
 }
 
-/// Creates the file with room on the disk for all of it. HDF5 does not survive a disk that is full, or a
-/// limit of the size, while it writes: so the room is asked for before it begins, and taken when it is done.
+/// Creates the file with room on the disk for all of it.
 void create_with_room(const std::string& path, const CheckpointContent& content,
                       const std::vector<TableBlocks>& tables) {
-    Descriptor(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW).reserve(most_bytes(content, tables));
-    ::unlink(path.c_str());
-    create_file(path, content, tables);
-    const Descriptor file(path, O_WRONLY);
-    file.reserve(file.size());
+    const Descriptor file(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+    file.reserve(most_bytes(content, tables));
+    const FileInMemory memory(path);
+    auto structure = memory.create_hdf5();
+    create_structure(structure, path, content, tables);
+    close(structure, "closing " + path);
+    memory.copy_to(file);
 }
 
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {

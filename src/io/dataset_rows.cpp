@@ -1,5 +1,6 @@
 #include "dataset_rows.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace weavefront::io {
@@ -20,6 +21,18 @@ DatasetRows::DatasetRows(const H5File& file, const std::string& path, const std:
     const auto at = H5Dget_offset(dataset.get());
     if (at == HADDR_UNDEF && values > 0) throw std::logic_error(doing + ": the dataset has no place yet");
     if (values > 0) offset_ = static_cast<std::int64_t>(at);
+}
+
+void DatasetRows::copy(const Descriptor& from, const DatasetRows& source, const Descriptor& to,
+                       std::int64_t rows) const {
+    if (source.row_bytes_ != row_bytes_) throw std::logic_error("the rows of the datasets differ");
+    constexpr std::int64_t at_once = 1 << 20;
+    std::vector<std::byte> bytes(at_once);
+    for (std::int64_t at = 0, end = rows * row_bytes_; at < end; at += at_once) {
+        const auto part = std::span(bytes).first(static_cast<std::size_t>(std::min(at_once, end - at)));
+        from.read(part, source.offset_ + at);
+        to.write(part, offset_ + at);
+    }
 }
 
 }  // namespace weavefront::io

@@ -35,6 +35,11 @@ class DatasetRows {
         write(file, first, std::span<const T>(values));
     }
 
+    /// Copies the first rows of the same dataset in another file, without the format between. @throws
+    /// FileError
+    void copy(const Descriptor& from, const DatasetRows& source, const Descriptor& to,
+              std::int64_t rows) const;
+
   private:
     std::int64_t offset_ = 0, row_bytes_ = 0;
 };

@@ -52,6 +52,10 @@ void Descriptor::reserve(std::int64_t bytes) const {
     if (cause != 0) fail("written", cause);
 }
 
+void Descriptor::resize(std::int64_t bytes) const {
+    if (::ftruncate(number_, bytes) != 0) fail("written", errno);
+}
+
 void Descriptor::sync() const {
     if (::fsync(number_) != 0) fail("written", errno);
 }

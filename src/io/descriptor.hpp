@@ -24,6 +24,8 @@ class Descriptor {
     void write(std::span<const std::byte> bytes, std::int64_t at) const;
     /// Takes the room of the first `bytes` from the disk, which may not have it later.
     void reserve(std::int64_t bytes) const;
+    /// Cuts it, or lengthens it by bytes that take no room until they are written.
+    void resize(std::int64_t bytes) const;
     void sync() const;
 
   private:

@@ -53,6 +53,7 @@ void GroupWriter::growing_dataset(const std::string& name, hid_t file_type, hsiz
     const H5Properties properties = creation_properties(H5P_DATASET_CREATE, where_);
     checked(H5Pset_chunk(properties.get(), 1, &most), where_);
     checked(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY), where_);
+    checked(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_ALLOC), where_);  // takes its room on the disk
     const hsize_t one = 1;
     const H5Space space(checked(H5Screate_simple(1, &one, &most), where_));
     (void)create(name, file_type, space, properties);

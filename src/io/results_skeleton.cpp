@@ -1,8 +1,12 @@
 #include "results_skeleton.hpp"
 
+#include <fcntl.h>
+
 #include <numeric>
 #include <span>
 
+#include "descriptor.hpp"
+#include "file_in_memory.hpp"
 #include "hdf5_group_writer.hpp"
 
 namespace weavefront::io {
@@ -28,9 +32,19 @@ class Skeleton {
         create_steps(steps);
         create_data(root, steps, "Point", setup_.layout.point_data, sizes_.all_points());
         create_data(root, steps, "Cell", setup_.layout.cell_data, sizes_.all_cells());
+        create_origin();
     }
 
   private:
+    /// What made the file: program and scene.
+    void create_origin() const {
+        const GroupWriter root = GroupWriter::root(path_, file_);
+        root.attribute("version", setup_.version);
+        const auto& scene = setup_.scene;
+        root.dataset("scene", H5T_STD_U8LE, {scene.size()},
+                     std::span(reinterpret_cast<const std::uint8_t*>(scene.data()), scene.size()));
+    }
+
     void create_geometry(const GroupWriter& root) const {
         std::vector<std::int64_t> ids;
         for (const auto cells : sizes_.cells) ids.push_back(4 * cells);
@@ -126,17 +140,12 @@ double results_bytes(const ResultsSetup& setup, std::int64_t frames) {
 }
 
 void create_results_skeleton(const std::string& path, const ResultsSetup& setup) {
-    const H5Properties creation = creation_properties(H5P_FILE_CREATE, path);
-    H5File file(checked(H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.get(), unlocked_access(path).get()),
-                        "creating " + path));
+    const Descriptor on_disk(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+    const FileInMemory memory(path);
+    auto file = memory.create_hdf5();
     Skeleton(path, file.get(), setup).create();
-
-    const GroupWriter root = GroupWriter::root(path, file.get());
-    root.attribute("version", setup.version);
-    const auto scene =
-        std::span(reinterpret_cast<const std::uint8_t*>(setup.scene.data()), setup.scene.size());
-    root.dataset("scene", H5T_STD_U8LE, {scene.size()}, scene);
     close(file, "closing " + path);
+    memory.copy_to(on_disk);
 }
 
 }  // namespace weavefront::io

@@ -24,9 +24,6 @@ target_compile_options(weavefront_options INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
     $<$<BOOL:${WEAVEFRONT_WERROR}>:-Werror>)
-if(WEAVEFRONT_FUZZ)
-    target_compile_options(weavefront_options INTERFACE -fsanitize=fuzzer-no-link)
-endif()
 if(WEAVEFRONT_SANITIZE)
     target_compile_options(weavefront_options INTERFACE -fsanitize=${WEAVEFRONT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(weavefront_options INTERFACE -fsanitize=${WEAVEFRONT_SANITIZE})

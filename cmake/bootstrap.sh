@@ -4,10 +4,12 @@ set -euo pipefail
 
 usage() {
     cat <<'TEXT'
-usage: bash cmake/bootstrap.sh [setup|build|test|demo]
+usage: bash cmake/bootstrap.sh [setup|build|test|check|demo]
   setup   install the Debian packages that are missing (default)
   build   setup, then configure and build the release preset in build/release
   test    build, then run every test
+  check   build with clang++ under sanitizers in build/sanitizers, run the tests that bear it, fuzz the readers for 60 s,
+          count the lines covered, look at the sources with clang-tidy
   demo    setup, build the program, run the 428 m/s example on 2 ranks on a coarse mesh and draw it, in runs/demo
 TEXT
 }
@@ -18,6 +20,8 @@ packages=(
     libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev libudunits2-dev nlohmann-json3-dev libssl-dev libxxhash-dev
     python3 python3-h5py python3-matplotlib
 )
+
+check_packages=(clang clang-tidy libclang-rt-14-dev llvm gcovr) # of the command check alone
 
 say() { printf '== %s\n' "$*"; }
 die() {
@@ -73,6 +77,24 @@ build() {
     cmake --build --preset release --parallel "$cores" "${targets[@]}"
 }
 
+check() {
+    local build=build/sanitizers
+    packages+=("${check_packages[@]}")
+    setup
+    say "building in $build"
+    cmake --preset sanitizers
+    cmake --build --preset sanitizers --parallel "$cores"
+    ctest --preset sanitizers --parallel "$cores"
+    say 'lines covered'
+    gcovr --config cmake/gcovr.cfg -j "$cores" $build >$build/coverage.txt || die "too few lines are covered: see $build/coverage.txt"
+    tail -n 4 $build/coverage.txt
+    say 'looking at the sources'
+    cmake --preset sanitizers -B $build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >$build/tidy.log # clang-tidy reads none
+    run-clang-tidy -quiet -j "$cores" -p $build/tidy "$root/(src|partition)/" >>$build/tidy.log 2>&1 || true
+    if grep -E 'warning:|error:' $build/tidy.log; then die 'clang-tidy objects'; fi
+    grep -q 'clang-tidy.*simulation.cpp' $build/tidy.log || die "clang-tidy has not run: see $build/tidy.log"
+}
+
 prepare_mpirun() {
     if [ "$(id -u)" -eq 0 ]; then
         export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -109,6 +131,7 @@ case "${1:-setup}" in
         build
         ctest --preset release --parallel "$cores"
         ;;
+    check) check ;;
     demo)
         setup
         build weavefront

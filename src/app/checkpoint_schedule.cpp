@@ -29,11 +29,9 @@ double seconds_of(auto duration) { return std::chrono::duration<double>(duration
 
 }  // namespace
 
-CheckpointSchedule::CheckpointSchedule(const CheckpointPlan& plan, std::filesystem::path folder, double bytes)
-    : plan_(plan),
-      stop_file_(std::move(folder) / "stop"),
-      job_end_(end_of_job()),
-      longest_(1 + bytes / slow_disk) {}
+CheckpointSchedule::CheckpointSchedule(const CheckpointPlan& plan, const std::filesystem::path& folder,
+                                       double bytes)
+    : plan_(plan), stop_file_(folder / "stop"), job_end_(end_of_job()), longest_(1 + bytes / slow_disk) {}
 
 bool CheckpointSchedule::is_due() const {
     return plan_.interval && seconds_of(Clock::now() - last_) >= *plan_.interval;

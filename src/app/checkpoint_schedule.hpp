@@ -23,7 +23,7 @@ class CheckpointSchedule {
   public:
     /// @param folder of the run
     /// @param bytes  of a checkpoint, from which the time of the first one is estimated
-    CheckpointSchedule(const CheckpointPlan& plan, std::filesystem::path folder, double bytes);
+    CheckpointSchedule(const CheckpointPlan& plan, const std::filesystem::path& folder, double bytes);
 
     /// Whether the interval of wall time is over. Cheap enough for every step.
     [[nodiscard]] bool is_due() const;

@@ -142,7 +142,7 @@ class Impact::Run {
             if (leaves || simulation_.is_checkpoint_agreed() || checkpoints_.is_due_at(simulation_.steps()))
                 write_checkpoint();
             if (leaves) return leave();
-            progress.update(simulation_.time(), simulation_.steps(), report_.projectile_text(simulation_));
+            progress.update(simulation_.time(), simulation_.steps(), RunReport::projectile_text(simulation_));
         }
     }
 

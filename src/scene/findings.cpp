@@ -36,7 +36,7 @@ InputError::InputError(std::vector<std::string> messages, std::size_t more)
 
 std::vector<std::string> InputError::shown() const { return first_of(messages_, more_); }
 
-void MessageList::add(std::string message) {
+void MessageList::add(const std::string& message) {
     if (messages_.size() < most_kept)
         messages_.push_back(printable(message, most_of_message));
     else

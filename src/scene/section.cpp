@@ -132,7 +132,7 @@ std::int64_t Section::count(std::string_view key, std::int64_t high) {
     return 1;
 }
 
-std::string Section::text(std::string_view key, std::optional<std::string> otherwise,
+std::string Section::text(std::string_view key, const std::optional<std::string>& otherwise,
                           std::string_view allowed) {
     const Entry* found = entry(key);
     if (found == nullptr) {

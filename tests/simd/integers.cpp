@@ -55,7 +55,7 @@ TEST(Integers, WrapBeyondTheirRange) {
     integers.store(whole.data());
     (-(integers + integers + integers)).store(sum.data());
     for (std::size_t lane = 0; lane < pack_width; ++lane)
-        EXPECT_EQ(static_cast<std::uint64_t>(sum[lane]), -3 * static_cast<std::uint64_t>(whole[lane]))
+        EXPECT_EQ(static_cast<std::uint64_t>(sum[lane]), 0 - 3 * static_cast<std::uint64_t>(whole[lane]))
             << values[lane];
 }
 

@@ -58,7 +58,7 @@ class BlockExchange {
 
     /// Number of items that this rank owns.
     [[nodiscard]] std::size_t owned() const {
-        return static_cast<std::size_t>(send_starts_.back() + send_counts_.back());
+        return static_cast<std::size_t>(send_starts_.back()) + static_cast<std::size_t>(send_counts_.back());
     }
 
     /// Values of the block of this rank.

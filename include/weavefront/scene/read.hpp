@@ -32,7 +32,7 @@ class InputError : public std::runtime_error {
 /// are.
 class MessageList {
   public:
-    void add(std::string message);
+    void add(const std::string& message);
     [[nodiscard]] bool empty() const { return messages_.empty(); }
     /// @throws InputError unless nothing was added
     void raise() const;

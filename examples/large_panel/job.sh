@@ -26,12 +26,20 @@ export SLURM_JOB_END_TIME
 # Results go to the parallel file system: 31 frames of about 0.33 GB.
 # The same job, requeued or submitted again, goes on from the last checkpoint.
 output=${SCRATCH:-runs}/large_panel
+steps() { grep -o '"steps": *[0-9]*' "$output/summary.json" 2>/dev/null; }
+before=$(steps)
 restart=()
 if [ -e "$output/checkpoint.h5" ] || [ -e "$output/checkpoint.previous.h5" ]; then restart=(--restart auto); fi
 # Where srun starts ranks that do not know each other: srun --mpi=pmix for Open MPI, --mpi=pmi2 for MPICH.
 srun "$program" run "${1:-examples/large_panel/scene.yaml}" "${@:2}" --output "$output" --checkpoint-every "10 min" "${restart[@]}"
 status=$?
 
-# Stopped with a checkpoint, not by the file `stop` or by scancel: go on in this job.
-if [ $status -eq 4 ] && ! grep -q 'stop was found' "$output/summary.json"; then scontrol requeue "$SLURM_JOB_ID"; fi
+# Stopped with a checkpoint, not by the file `stop` or by scancel: go on in this job, unless its time is too short for a single step.
+if [ $status -eq 4 ] && ! grep -q 'stop was found' "$output/summary.json"; then
+    if [ "$(steps)" = "$before" ]; then
+        echo "the job ends before the run has made a step: give it more time (--time)" >&2
+    else
+        scontrol requeue "$SLURM_JOB_ID"
+    fi
+fi
 exit $status

@@ -45,7 +45,7 @@ CASES = [
             "bad.yaml:1:1: time: found nothing, allowed a map with keys end, ",
             "bad.yaml:1:1: output: found nothing, allowed a map with keys interval, ",
             "bad.yaml:1:1: titel: found an unknown key, allowed title, ",
-            "bad.yaml:2:14: fabrics.a: found '3', allowed a map with keys formulation, ",
+            "bad.yaml:2:14: fabrics.a: found '3', allowed a map with keys library, formulation, ",
             "--set fabrics.b.yarn=1: fabrics.b.yarn: found 'b', allowed the name of a fabric of the scene",
         ],
     ),

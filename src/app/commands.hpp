@@ -49,6 +49,13 @@ struct YarnOptions {
 /// Strains one yarn at constant rates up to its failure.
 void yarn(const YarnOptions& options);
 
+struct FabricsOptions {
+    std::string name;  ///< empty: all
+};
+
+/// Prints fabrics of the library with their values and sources.
+void fabrics(const FabricsOptions& options);
+
 struct StudyOptions {
     std::filesystem::path study, output, check;  ///< output empty: runs/<study name>; check empty: none
     bool no_picture = false;

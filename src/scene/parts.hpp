@@ -15,6 +15,9 @@ namespace weavefront::scene {
 /// `fabrics`: names to fabrics.
 std::vector<Fabric> read_fabrics(Section& section);
 
+/// Yarn, thickness and areal density of a fabric whose density is known.
+void read_weave(Section& section, Fabric& fabric);
+
 /// `target`.
 Target read_target(Section& section, std::span<const Fabric> fabrics);
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hash.hpp"
+#include "library_fabrics.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "weavefront/scene/text.hpp"
@@ -75,6 +76,7 @@ Scene parse_changed_scene(const std::string& text, const std::string& name, cons
                              "a scene; studies are computed by weavefront study");
         context.findings.raise();
     }
+    insert_library_fabrics(document, context.findings);
     Section root(document, start, "", context);
     Scene scene = read_parts(root, need);
     root.refuse_unknown();

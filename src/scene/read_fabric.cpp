@@ -14,19 +14,16 @@ constexpr double diagonal = std::numbers::pi / 4;
 constexpr Range strain{0, false, 1, " greater than 0 and at most 100 %", "'0.03' or '3 %'"};
 const MessageUnit degrees{"deg", std::numbers::pi / 180};
 
-Yarn read_yarn(Section& section) {
-    Yarn yarn;
-    yarn.span = section.quantity("span", length, positive);
-    yarn.area = section.quantity("area", area, positive);
-    yarn.width = section.quantity("width", length, positive);
-    section.refuse_if(
-        yarn.width >= yarn.span, "width",
-        fmt::format("less than the span, {}", text_of(yarn.span, section.unit_of("width", length), 6)));
-    return yarn;
-}
-
 Elastic read_elastic(Section& section) {
     Elastic elastic;
+    if (section.has("modulus")) {
+        for (const std::string_view key : {"static_modulus", "hooke_modulus", "viscosity"})
+            section.refuse_if(section.has(key), key, "none beside modulus, which means no rate effect");
+        elastic.static_modulus = section.quantity("modulus", modulus, positive);
+        elastic.hooke_modulus = 2 * elastic.static_modulus;  // decides nothing without viscosity
+        elastic.viscosity = 0;
+        return elastic;
+    }
     elastic.static_modulus = section.quantity("static_modulus", modulus, positive);
     elastic.hooke_modulus = section.quantity("hooke_modulus", modulus, positive);
     elastic.viscosity = section.quantity("viscosity", viscosity, non_negative, 0);
@@ -37,8 +34,18 @@ Elastic read_elastic(Section& section) {
     return elastic;
 }
 
-Failure read_failure(Section& section) {
+Failure read_failure(Section& section, const Elastic& elastic) {
     Failure failure;
+    if (section.has("strain")) {
+        section.refuse_if(elastic.viscosity > 0, "strain",
+                          "static_strain and hooke_strain, since the yarn has a viscosity");
+        for (const std::string_view key : {"static_strain", "hooke_strain"})
+            section.refuse_if(section.has(key), key, "none beside strain");
+        failure.static_strain = section.quantity("strain", ratio, strain);
+        failure.hooke_strain = failure.static_strain;  // of the smaller part of the strain: never decides
+        failure.erode = section.choice("erode", erode_names, failure.erode);
+        return failure;
+    }
     failure.static_strain = section.quantity("static_strain", ratio, strain);
     failure.hooke_strain = section.quantity("hooke_strain", ratio, strain);
     failure.erode = section.choice("erode", erode_names, failure.erode);
@@ -60,9 +67,6 @@ Lateral read_lateral(Section& section, const Yarn& yarn) {
     return lateral;
 }
 
-// Plain weaves take up one to four per cent of yarn by their crimp; more is no geometry of the fabric.
-constexpr double most_crimp = 0.05;
-
 struct ContactThickness {
     double value;  ///< m
     const char* source;
@@ -71,21 +75,20 @@ struct ContactThickness {
 /// Distance at which two plies touch when nothing is said: the fabric's own thickness. A crimp height that
 /// stands for more than the geometry says nothing of it, and fibre without air is the least.
 ContactThickness default_contact_thickness(const Fabric& fabric) {
-    const double slope = fabric.thickness / (2 * fabric.yarn.span), crimp = std::hypot(1, slope) - 1;
-    const bool is_geometric = crimp <= most_crimp && fabric.thickness > fabric.effective_thickness();
+    const bool is_geometric = fabric.crimp() <= most_crimp && fabric.thickness > fabric.effective_thickness();
     if (is_geometric) return {fabric.thickness, "thickness"};
     return {fabric.effective_thickness(), "areal_density / density"};
 }
 
 Fabric read_fabric(Section& section) {
     Fabric fabric;
+    (void)section.has("library");  // a known key, replaced by the values that it stands for
     fabric.formulation = section.choice("formulation", formulation_names, fabric.formulation);
-    fabric.areal_density = section.quantity("areal_density", areal_density, positive);
     fabric.density = section.quantity("density", density, positive);
-    fabric.yarn = section.required("yarn", read_yarn);
-    fabric.thickness = section.quantity("thickness", length, non_negative);
+    read_weave(section, fabric);
     fabric.elastic = section.required("elastic", read_elastic);
-    fabric.failure = section.optional("failure", read_failure);
+    fabric.failure =
+        section.optional("failure", [&](Section& failure) { return read_failure(failure, fabric.elastic); });
     fabric.lateral =
         section.optional("lateral", [&](Section& lateral) { return read_lateral(lateral, fabric.yarn); });
     fabric.friction = section.quantity("friction", ratio, non_negative, 0);

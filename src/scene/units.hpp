@@ -24,6 +24,7 @@ struct Dimension {
 inline constexpr Dimension ratio{"a number", "", "'0.5' or '50 %'"};
 inline constexpr Dimension angle{"an angle", "rad", "'35 deg'"};
 inline constexpr Dimension length{"a length", "m", "'0.9 mm'", &MessageUnits::length};
+inline constexpr Dimension per_length{"a number per length", "1/m", "'34 1/in'"};
 inline constexpr Dimension area{"an area", "m^2", "'0.06 mm^2'", &MessageUnits::area};
 inline constexpr Dimension mass{"a mass", "kg", "'2.8 g'", &MessageUnits::mass};
 inline constexpr Dimension duration{"a time", "s", "'200 us'", &MessageUnits::time};

@@ -13,7 +13,8 @@ fabrics:
     areal_density: 204 g/m^2
     density: 1440 kg/m^3
     yarn: {span: 0.909 mm, area: 6.48e-2 mm^2, width: 0.32 mm}
-    thickness: 0.820 mm
+    thickness: 0.500 mm
+    contact_thickness: 0.1417 mm
     elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa, viscosity: 35 MPa s}
     failure: {static_strain: 3.3 %, hooke_strain: 2.7 %}
     transverse_shear: 2.5 GPa
@@ -44,6 +45,11 @@ WARNINGS = [
         [FABRIC + "areal_density=204 kg/m^2", FABRIC + "contact_thickness=0.14 mm", "output.history=1 us"],
         "fabric kevlar129: yarns of 0.0648 mm^2 every 0.909 mm in two directions weigh 0.2053 kg/m^2 at 1440 kg/m^3, but the areal density is "
         "204 kg/m^2",
+    ),
+    (
+        [FABRIC + "thickness=0.82 mm"],
+        "fabric kevlar129: with a thickness of 0.82 mm yarns are 9.7 % longer than the cell, plain weaves have 1 to 4 %; thickness is the measured "
+        "thickness of the fabric, more of it stands for other slack",
     ),
     ([FABRIC + "thickness=0.82 m"], "fabric kevlar129: its yarns rise and fall by 820 mm every 0.909 mm"),
     (

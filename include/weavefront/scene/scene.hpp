@@ -4,6 +4,7 @@
 /// validates it, the other modules only read it.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -53,6 +54,9 @@ struct Lateral {
     double transition = 0;     ///< Dtheta, rad
 };
 
+/// Plain weaves take up one to four per cent of yarn by their crimp; more is no geometry of the fabric.
+inline constexpr double most_crimp = 0.05;
+
 /// One woven fabric.
 struct Fabric {
     std::string name;
@@ -73,6 +77,11 @@ struct Fabric {
 
     /// t_e = areal density / fibre density, m.
     [[nodiscard]] double effective_thickness() const { return areal_density / density; }
+    /// Length of a yarn over that of the cell, less 1.
+    [[nodiscard]] double crimp() const {
+        const double slope = thickness / (2 * yarn.span);
+        return std::sqrt(1 + slope * slope) - 1;
+    }
 };
 
 /// One layer of fabric.

@@ -97,7 +97,7 @@ H5Dataset open_dataset(const H5File& file, const std::string& path, const std::s
 /// This rank's blocks of the columns.
 void write_columns(const std::string& path, const std::vector<TableBlocks>& tables, int rank) {
     const Descriptor to(path, O_WRONLY);
-    const auto file = open_to_read(path);
+    const auto file = open_to_read(path, "reading " + path);
     for (const auto& table : tables)
         for (const auto& column : table.columns) {
             const auto name = "/" + table.name + "/" + column.name;
@@ -119,7 +119,7 @@ std::int64_t rows_of(const H5Dataset& dataset, const std::string& doing) {
 
 /// Compares what the file holds with what it should. @throws FileError
 void require_written(const std::string& path, const std::vector<TableBlocks>& tables, int rank) {
-    const auto file = open_to_read(path);
+    const auto file = open_to_read(path, "reading " + path);
     for (const auto& table : tables)
         for (const auto& column : table.columns) {
             const auto name = "/" + table.name + "/" + column.name;
@@ -252,7 +252,7 @@ class Checkpoint::File {
         const QuietHdf5 quiet;
         Agreement agreement(comm);
         agreement.attempt([&] {
-            file_ = open_to_read(path_);
+            file_ = open_to_read(path_, "reading " + path_);
             if (const auto found = number("/", "format"); found != format_number)
                 throw FileError(
                     fmt::format("{} is of format {}, this program reads {}", path_, found, format_number));

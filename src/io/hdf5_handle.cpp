@@ -47,9 +47,8 @@ H5Properties unlocked_access(const std::string& doing) {
     return access;
 }
 
-H5File open_to_read(const std::string& path) {
-    return H5File(
-        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "reading " + path));
+H5File open_to_read(const std::string& path, const std::string& doing) {
+    return H5File(checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(doing).get()), doing));
 }
 
 void close(H5File& file, const std::string& doing) { checked(H5Fclose(file.release()), doing); }

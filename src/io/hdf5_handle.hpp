@@ -69,8 +69,8 @@ hid_t checked(hid_t result, const std::string& doing);
 /// parallel file systems know none.
 H5Properties unlocked_access(const std::string& doing);
 
-/// Opens a file for reading. @throws FileError
-H5File open_to_read(const std::string& path);
+/// Opens a file for reading. @param doing file and action, for the message @throws FileError
+H5File open_to_read(const std::string& path, const std::string& doing);
 
 /// Closes a file and checks it, which its destructor cannot. @throws FileError
 void close(H5File& file, const std::string& doing);

@@ -10,8 +10,7 @@ class ResultsReader::File {
   public:
     explicit File(const std::filesystem::path& path) : path_(path.string()) {
         const QuietHdf5 quiet;
-        const H5Properties access = unlocked_access(path_);
-        file_ = H5File(checked(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access.get()), path_ + ": opening"));
+        file_ = open_to_read(path_, path_ + ": opening");
         nodes_ = static_cast<hsize_t>(numbers<std::int64_t>("NumberOfPoints", 0, 1)[0]);
         elements_ = static_cast<hsize_t>(numbers<std::int64_t>("NumberOfCells", 0, 1)[0]);
         times_ = numbers<double>("Steps/Values", 0, frames());

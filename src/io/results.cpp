@@ -51,8 +51,7 @@ struct OpenArrays {
 
     OpenArrays(const std::string& path, const Frame& layout, const std::string& shown)
         : file(path, O_WRONLY, shown) {
-        const H5File structure(
-            checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "opening " + path));
+        const auto structure = open_to_read(path, "opening " + path);
         const auto rows = [&](const std::string& name, hid_t type) {
             return DatasetRows(structure, path, "/VTKHDF/" + name, type);
         };

@@ -14,9 +14,7 @@ namespace {
 class Existing {
   public:
     explicit Existing(const std::string& path)
-        : path_(path),
-          file_(checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()),
-                        path + " cannot be continued: opening")) {}
+        : path_(path), file_(open_to_read(path, path + " cannot be continued: opening")) {}
 
     [[nodiscard]] H5Dataset dataset(const std::string& name) const {
         return H5Dataset(checked(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), doing(name)));

@@ -22,8 +22,8 @@ class Copy {
           to_path_(to),
           from_(from, O_RDONLY),
           to_(to, O_WRONLY),
-          source_(open_to_read(from)),
-          target_(open_to_read(to)) {}
+          source_(open_to_read(from, "reading " + from)),
+          target_(open_to_read(to, "reading " + to)) {}
 
     /// Copies the frames and returns their times.
     [[nodiscard]] std::vector<double> all(const ResultsSetup& setup, std::int64_t frames) const {

@@ -37,8 +37,7 @@ std::vector<std::int64_t> closing_offsets(const PartSizes& sizes) {
 void write_topology(const std::string& path, const ResultsSetup& setup, const BlockExchange& elements,
                     const parallel::Communicator& comm) {
     const Descriptor to(path, O_WRONLY);
-    const H5File file(
-        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, unlocked_access(path).get()), "opening " + path));
+    const auto file = open_to_read(path, "opening " + path);
     const auto write = [&]<class T>(const std::string& name, std::int64_t first, std::vector<T> of_fabric,
                                     const std::vector<T>& after) {
         const DatasetRows rows(file, path, "/VTKHDF/" + name, native_type<T>());

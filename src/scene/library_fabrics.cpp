@@ -15,7 +15,7 @@ namespace weavefront::scene {
 namespace {
 
 /// Keys of the scene, and keys of the library that they leave without a meaning.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> replaced{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> replaced{{
     {"count", "yarn.span"},
     {"yarn.span", "count"},
     {"yarn.area", "yarn.denier"},
@@ -25,6 +25,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 18> replaced
     {"yarn.dtex", "yarn.area"},
     {"yarn.dtex", "yarn.denier"},
     {"count", "areal_density"},
+    {"yarn.span", "areal_density"},
     {"yarn.denier", "areal_density"},
     {"yarn.dtex", "areal_density"},
     {"elastic.modulus", "elastic.static_modulus"},
@@ -83,6 +84,8 @@ void insert_library_fabrics(Value& scene, Findings& findings) {
         if (fabric.kind != Value::Kind::map) continue;
         const auto entry = std::ranges::find(fabric.entries, "library", &Entry::key);
         if (entry == fabric.entries.end()) continue;
+        if (std::ranges::count(fabric.entries, "library", &Entry::key) > 1)
+            continue;  // refused as a key given twice
         const Entry name = *entry;
         fabric.entries.erase(entry);
         if (name.left_out) continue;

@@ -48,8 +48,8 @@ WARNINGS = [
     ),
     (
         [FABRIC + "thickness=0.82 mm"],
-        "fabric kevlar129: with a thickness of 0.82 mm yarns are 9.7 % longer than the cell, plain weaves have 1 to 4 %; thickness is the measured "
-        "thickness of the fabric, more of it stands for other slack",
+        "fabric kevlar129: with a thickness of 0.82 mm yarns are 9.7 % longer than the cell, plain weaves have 1 to 4 %: this thickness is "
+        "more than that of the fabric, and stands for other slack, too",
     ),
     ([FABRIC + "thickness=0.82 m"], "fabric kevlar129: its yarns rise and fall by 820 mm every 0.909 mm"),
     (

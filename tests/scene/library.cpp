@@ -90,7 +90,7 @@ TEST(FabricLibrary, ValuesOfTheSceneReplaceThoseOfTheLibrary) {
     EXPECT_EQ(fabric_of("library: kevlar_km2_s706, thickness: 0.25 mm").thickness, 0.25e-3);
     EXPECT_EQ(fabric_of("library: kevlar_km2_s706", {"fabrics.a.thickness=0.25 mm"}).thickness, 0.25e-3);
     EXPECT_EQ(fabric_of("library: kevlar_km2_s706, yarn: {width: 0.6 mm}").yarn.area, plain.yarn.area);
-    EXPECT_EQ(fabric_of("library: kevlar_km2_s706, yarn: {span: 0.8 mm}").yarn.span, 0.8e-3);
+    EXPECT_EQ(fabric_of("library: kevlar_km2_s706, yarn: {span: 0.9 mm}").yarn.span, 0.9e-3);
     EXPECT_DOUBLE_EQ(fabric_of("library: kevlar_km2_s706, yarn: {denier: 500}").yarn.area,
                      500e-3 / 9000 / 1440);
     EXPECT_FALSE(fabric_of("library: kevlar_km2_s706", {"fabrics.a.failure="}).failure);

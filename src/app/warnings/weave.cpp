@@ -45,11 +45,11 @@ void warn_of_weave(const Shot& shot, const scene::Fabric& fabric, Phrases& found
         found.push_back(fmt::format("fabric {}: its yarns rise and fall by {} every {}", fabric.name,
                                     length(fabric.thickness), length(yarn.span)));
     else if (fabric.crimp() > scene::most_crimp)
-        found.push_back(fmt::format(
-            "fabric {}: with a thickness of {} yarns are {:.2g} % longer than the cell, plain weaves have 1 "
-            "to 4 %; "
-            "thickness is the measured thickness of the fabric, more of it stands for other slack",
-            fabric.name, length(fabric.thickness), 100 * fabric.crimp()));
+        found.push_back(
+            fmt::format("fabric {}: with a thickness of {} yarns are {:.2g} % longer than the cell, plain "
+                        "weaves have 1 to 4 %: "
+                        "this thickness is more than that of the fabric, and stands for other slack, too",
+                        fabric.name, length(fabric.thickness), 100 * fabric.crimp()));
     const double height = yarn.area / yarn.width;
     // A round yarn is pi/4 of its width high in the mean; in a fabric yarns lie flat.
     if (height > yarn.width)

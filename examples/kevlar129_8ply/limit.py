@@ -22,8 +22,12 @@ WIDTH = 10  # m/s, of the last bracket
 FASTER = (0.01, -0.01)  # m/s
 SAFETIES = ("0.8", "0.7")
 
-NEAR_CLAMPS = {"target.size": "[101.6 mm, 127 mm]", "target.edges.y": "frame", "target.frame": "{opening: {y: 101.6 mm}}",
-               "time.end": "240 us"}
+NEAR_CLAMPS = {
+    "target.size": "[101.6 mm, 127 mm]",
+    "target.edges.y": "frame",
+    "target.frame": "{opening: {y: 101.6 mm}}",
+    "time.end": "240 us",
+}
 MESH = "target.mesh.center"
 VARIANTS = {
     "as shipped, h = 1 mm": {},
@@ -39,7 +43,11 @@ VARIANTS = {
     "erode any_yarn": {K + "failure.erode": "any_yarn"},
     "breaking strains x 0.9": {K + "failure.static_strain": "2.97 %", K + "failure.hooke_strain": "2.43 %"},
     "breaking strains x 0.8": {K + "failure.static_strain": "2.64 %", K + "failure.hooke_strain": "2.16 %"},
-    "contact at the nodes, elastic": {"contact.spacing": "nodes", "contact.projectile.unloading": "1", "contact.plies.unloading": "1"},
+    "contact at the nodes, elastic": {
+        "contact.spacing": "nodes",
+        "contact.projectile.unloading": "1",
+        "contact.plies.unloading": "1",
+    },
 }
 SHIPPED = {MESH: "1 mm", "time.end": "150 us", "output.interval": "0"}
 FIELDS = ["variant", "stopped", "perforated", "absorbed_least", "absorbed_most", "overrides"]
@@ -50,7 +58,9 @@ def shot(options, overrides, speed):
     with tempfile.TemporaryDirectory() as folder:
         command = [options.weavefront, "run", HERE / "impact_550.yaml", "--output", folder]
         command += [f"--set={path}={value}" for path, value in (SHIPPED | overrides).items()]
-        done = subprocess.run([*command, f"--set=projectile.velocity=[0, 0, {speed:g} m/s]"], capture_output=True, text=True)
+        done = subprocess.run(
+            [*command, f"--set=projectile.velocity=[0, 0, {speed:g} m/s]"], capture_output=True, text=True
+        )
         if done.returncode != 0:
             sys.exit(f"{speed:g} m/s: {done.stderr}")
         columns = history(Path(folder))
@@ -60,9 +70,11 @@ def shot(options, overrides, speed):
 
 def shots(options, overrides, speed):
     """Outcomes of five shots at this speed that should come out alike: whether each perforates, and the energy that it absorbs, J."""
-    return [shot(options, overrides, speed),
-            *(shot(options, overrides, speed + difference) for difference in FASTER),
-            *(shot(options, overrides | {"time.safety": safety}, speed) for safety in SAFETIES)]
+    return [
+        shot(options, overrides, speed),
+        *(shot(options, overrides, speed + difference) for difference in FASTER),
+        *(shot(options, overrides | {"time.safety": safety}, speed) for safety in SAFETIES),
+    ]
 
 
 def bracket(options, variant):
@@ -90,8 +102,14 @@ def limit(options, variant):
         above = shots(options, VARIANTS[variant], high)
     absorbed = [energy for _, energy in above]
     text = " ".join(f"{path}={value}" for path, value in VARIANTS[variant].items())
-    return {"variant": variant, "stopped": f"{low:.6g}", "perforated": f"{high:.6g}", "absorbed_least": f"{min(absorbed):.6g}",
-            "absorbed_most": f"{max(absorbed):.6g}", "overrides": text}
+    return {
+        "variant": variant,
+        "stopped": f"{low:.6g}",
+        "perforated": f"{high:.6g}",
+        "absorbed_least": f"{min(absorbed):.6g}",
+        "absorbed_most": f"{max(absorbed):.6g}",
+        "overrides": text,
+    }
 
 
 def collect(options):
@@ -99,7 +117,11 @@ def collect(options):
     done = {row["variant"] for row in known(options.csv)}
     if not done:
         options.csv.write_text(",".join(FIELDS) + "\n")
-    chosen = [variant for variant in VARIANTS if not options.only or any(part in variant for part in options.only.split(","))]
+    chosen = [
+        variant
+        for variant in VARIANTS
+        if not options.only or any(part in variant for part in options.only.split(","))
+    ]
     missing = [variant for variant in chosen if variant not in done]
     report_done(options.csv, len(chosen), len(missing))
     for variant in missing:
@@ -118,10 +140,14 @@ def ordered(path):
 
 def table(path):
     """The rows as markdown."""
-    print("| variant | limit, m/s | energy absorbed just above it, J, least to most of five shots |\n|---|---:|---:|")
+    print(
+        "| variant | limit, m/s | energy absorbed just above it, J, least to most of five shots |\n|---|---:|---:|"
+    )
     for row in ordered(path):
         half = (float(row["perforated"]) - float(row["stopped"])) / 2
-        print(f"| {row['variant']} | {middle(row):.0f} +- {half:.0f} | {float(row['absorbed_least']):.0f} to {float(row['absorbed_most']):.0f} |")
+        print(
+            f"| {row['variant']} | {middle(row):.0f} +- {half:.0f} | {float(row['absorbed_least']):.0f} to {float(row['absorbed_most']):.0f} |"
+        )
 
 
 def picture(path, file):
@@ -136,17 +162,23 @@ def picture(path, file):
     axes.axvspan(267, 428, color="0.9", label="experiments: 267 m/s stopped, 428 m/s perforated")
     axes.barh([row["variant"] for row in rows], [middle(row) for row in rows], height=0.55, color="tab:blue")
     halves = [(float(row["perforated"]) - float(row["stopped"])) / 2 for row in rows]
-    axes.errorbar([middle(row) for row in rows], range(len(rows)), xerr=halves, fmt="none", color="k", capsize=2)
+    axes.errorbar(
+        [middle(row) for row in rows], range(len(rows)), xerr=halves, fmt="none", color="k", capsize=2
+    )
     axes.set(xlabel="ballistic limit, m/s", xlim=(0, None))
     axes.legend(loc="upper center", bbox_to_anchor=(0.4, -0.12), frameon=False)
     figure.savefig(file, dpi=150, bbox_inches="tight")
 
 
 def main():
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     options.add_argument("--weavefront", type=Path, default=BUILD / "src/app/weavefront", help="the program")
     options.add_argument("--csv", type=Path, default=HERE / "limit.csv", help="where the rows are collected")
-    options.add_argument("--only", metavar="TEXTS", help="variants whose name holds one of these, separated by commas")
+    options.add_argument(
+        "--only", metavar="TEXTS", help="variants whose name holds one of these, separated by commas"
+    )
     options.add_argument("--table", action="store_true", help="print the rows instead of computing")
     options.add_argument("--picture", type=Path, metavar="FILE", help="draw the rows instead of computing")
     options = options.parse_args()

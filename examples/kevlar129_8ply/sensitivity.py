@@ -23,7 +23,11 @@ K = "fabrics.kevlar129."
 AT_NODES = {"contact.spacing": "nodes", "contact.projectile.unloading": "1", "contact.plies.unloading": "1"}
 STIFFNESS_HALF = {"contact.projectile.stiffness": "2.8e12 N/m^3", "contact.plies.stiffness": "5.5e12 N/m^3"}
 STIFFNESS_TWICE = {"contact.projectile.stiffness": "1.12e13 N/m^3", "contact.plies.stiffness": "2.2e13 N/m^3"}
-INTEGRATED = {"contact.spacing": "0.25 mm", "contact.projectile.unloading": "10", "contact.plies.unloading": "10"}
+INTEGRATED = {
+    "contact.spacing": "0.25 mm",
+    "contact.projectile.unloading": "10",
+    "contact.plies.unloading": "10",
+}
 
 
 @dataclass(frozen=True)
@@ -36,36 +40,65 @@ class Study:
 
 
 STUDIES = {
-    "267": Study("impact_267.yaml", {"target.mesh.center": "2 mm", "time.end": "120 us"}, "267 m/s on a mesh of 2 mm, to 120 us"),
+    "267": Study(
+        "impact_267.yaml",
+        {"target.mesh.center": "2 mm", "time.end": "120 us"},
+        "267 m/s on a mesh of 2 mm, to 120 us",
+    ),
     "428": Study("impact_428.yaml", {}, "428 m/s, elastic contact at the nodes"),
     "428i": Study("impact_428.yaml", INTEGRATED, "428 m/s, integrated hysteretic contact"),
     "550": Study("impact_550.yaml", {}, "550 m/s"),
     "267 fine": Study("impact_267.yaml", {}, "267 m/s, to 200 us"),
-    "267 frame": Study("impact_267_frame.yaml", {}, "267 m/s, clamps 101.6 mm apart, the other edges on a frame, to 220 us"),
-    "428 frame": Study("impact_267_frame.yaml", {"projectile.velocity": "[0, 0, 428 m/s]"}, "428 m/s, supported in the same way"),
+    "267 frame": Study(
+        "impact_267_frame.yaml", {}, "267 m/s, clamps 101.6 mm apart, the other edges on a frame, to 220 us"
+    ),
+    "428 frame": Study(
+        "impact_267_frame.yaml",
+        {"projectile.velocity": "[0, 0, 428 m/s]"},
+        "428 m/s, supported in the same way",
+    ),
 }
 
 # By importance: a study that is cut short has done what matters most. A variant is run in the studies that it names.
 BOTH, ALL, FRAMED = ("267", "428"), ("267", "428", "428i"), ("267 frame", "428 frame")
 # A net of straight yarns that neither press on nor rub each other and resist no shear, in a panel too large for its edges to matter.
-NET = {K + "thickness": "0.02 mm", K + "friction": "0", K + "lateral": "", K + "transverse_shear": "0", K + "hourglass": "0.005",
-       K + "failure": "", "target.size": "[304.8 mm, 304.8 mm]"}
+NET = {
+    K + "thickness": "0.02 mm",
+    K + "friction": "0",
+    K + "lateral": "",
+    K + "transverse_shear": "0",
+    K + "hourglass": "0.005",
+    K + "failure": "",
+    "target.size": "[304.8 mm, 304.8 mm]",
+}
 VARIANTS = {
     "as shipped": ({}, (*ALL, "267 fine", "550", *FRAMED)),
     "y edges sliding": ({"target.edges.y": "sliding"}, (*ALL, "267 fine")),
     "y edges free": ({"target.edges.y": "free"}, (*BOTH, "267 fine")),
-    "y edges on a frame": ({"target.edges.y": "frame", "target.frame": "{opening: {y: 190.5 mm}}"}, (*ALL, "267 fine")),
+    "y edges on a frame": (
+        {"target.edges.y": "frame", "target.frame": "{opening: {y: 190.5 mm}}"},
+        (*ALL, "267 fine"),
+    ),
     "independent yarns": (NET, ("267",)),
     "thickness t = 0.4 mm": ({K + "thickness": "0.4 mm"}, (*ALL, *FRAMED)),
     "formulation paper": ({K + "formulation": "paper"}, BOTH),
     "mesh 2 mm": ({"target.mesh.center": "2 mm"}, ("428", "428i")),
     "mesh 0.75 mm": ({"target.mesh.center": "0.75 mm"}, ("428",)),
     "mesh 0.5 mm": ({"target.mesh.center": "0.5 mm"}, ("428", "267 fine", "267 frame")),
-    "contact stiffness / 4": ({"contact.projectile.stiffness": "1.4e12 N/m^3", "contact.plies.stiffness": "2.8e12 N/m^3"}, ALL),
-    "contact stiffness x 4": ({"contact.projectile.stiffness": "2.24e13 N/m^3", "contact.plies.stiffness": "4.4e13 N/m^3"}, BOTH),
+    "contact stiffness / 4": (
+        {"contact.projectile.stiffness": "1.4e12 N/m^3", "contact.plies.stiffness": "2.8e12 N/m^3"},
+        ALL,
+    ),
+    "contact stiffness x 4": (
+        {"contact.projectile.stiffness": "2.24e13 N/m^3", "contact.plies.stiffness": "4.4e13 N/m^3"},
+        BOTH,
+    ),
     "contact spacing 0.5 mm": ({"contact.spacing": "0.5 mm"}, ("267",)),
     "contact at the nodes": ({"contact.spacing": "nodes"}, ("267",)),
-    "unloading ratio 1": ({"contact.projectile.unloading": "1", "contact.plies.unloading": "1"}, ("267", "428i")),
+    "unloading ratio 1": (
+        {"contact.projectile.unloading": "1", "contact.plies.unloading": "1"},
+        ("267", "428i"),
+    ),
     "unloading ratio 10": ({"contact.projectile.unloading": "10", "contact.plies.unloading": "10"}, ("428",)),
     "panel 152.4 mm": ({"target.size": "[152.4 mm, 152.4 mm]"}, BOTH),
     "panel 304.8 mm": ({"target.size": "[304.8 mm, 304.8 mm]"}, BOTH),
@@ -105,9 +138,26 @@ VARIANTS = {
     "mesh growth 1.25": ({"target.mesh.growth": "1.25"}, ("267 fine", "550")),
 }
 
-FIELDS = ["study", "variant", "status", "final_velocity", "rebound_time", "deepest", "largest_displacement", "velocity_spread_last_fifth",
-          *(f"first_break_{ply}" for ply in range(1, PLIES + 1)), "broken_yarns", "eroded_elements", "energy_error", "hourglass_share",
-          "absorbed", "pyramid_ratio", "steps", "wall_seconds", "overrides"]
+FIELDS = [
+    "study",
+    "variant",
+    "status",
+    "final_velocity",
+    "rebound_time",
+    "deepest",
+    "largest_displacement",
+    "velocity_spread_last_fifth",
+    *(f"first_break_{ply}" for ply in range(1, PLIES + 1)),
+    "broken_yarns",
+    "eroded_elements",
+    "energy_error",
+    "hourglass_share",
+    "absorbed",
+    "pyramid_ratio",
+    "steps",
+    "wall_seconds",
+    "overrides",
+]
 
 
 def planned():
@@ -136,11 +186,20 @@ def collect(folder):
     columns, summary = history(folder), json.loads((folder / "summary.json").read_text())
     energy = columns["kinetic_projectile"]
     last = [v for t, v in zip(columns["time"], columns["projectile_vz"]) if t >= 0.8 * columns["time"][-1]]
-    row = {"status": summary["status"], "final_velocity": summary["residual_velocity"], "rebound_time": rebound_time(columns),
-           "deepest": max(columns["projectile_z"]), "largest_displacement": max(columns["max_displacement"]),
-           "velocity_spread_last_fifth": max(last) - min(last), "broken_yarns": summary["broken_yarns"],
-           "eroded_elements": summary["eroded_elements"], "energy_error": max(map(abs, columns["energy_error"])),
-           "hourglass_share": max(columns["hourglass"]) / energy[0], "absorbed": energy[0] - energy[-1], "steps": summary["steps"]}
+    row = {
+        "status": summary["status"],
+        "final_velocity": summary["residual_velocity"],
+        "rebound_time": rebound_time(columns),
+        "deepest": max(columns["projectile_z"]),
+        "largest_displacement": max(columns["max_displacement"]),
+        "velocity_spread_last_fifth": max(last) - min(last),
+        "broken_yarns": summary["broken_yarns"],
+        "eroded_elements": summary["eroded_elements"],
+        "energy_error": max(map(abs, columns["energy_error"])),
+        "hourglass_share": max(columns["hourglass"]) / energy[0],
+        "absorbed": energy[0] - energy[-1],
+        "steps": summary["steps"],
+    }
     for ply, first in enumerate(summary["first_break"], start=1):
         row[f"first_break_{ply}"] = first
     pyramid = folder / "plots" / "pyramid.json"
@@ -161,8 +220,20 @@ def compute(options, study, variant):
         if done.returncode not in (0, 1):
             sys.exit(f"{study}, {variant}: {done.stderr}")
         row = collect_with_pyramid(options, study, folder)
-    row |= {"study": study, "variant": variant, "wall_seconds": f"{wall:.0f}", "overrides": " ".join(f"{p}={v}" for p, v in overrides.items())}
-    return {field: "" if row[field] is None else f"{row[field]:.6g}" if isinstance(row[field], float) else row[field] for field in FIELDS}
+    row |= {
+        "study": study,
+        "variant": variant,
+        "wall_seconds": f"{wall:.0f}",
+        "overrides": " ".join(f"{p}={v}" for p, v in overrides.items()),
+    }
+    return {
+        field: ""
+        if row[field] is None
+        else f"{row[field]:.6g}"
+        if isinstance(row[field], float)
+        else row[field]
+        for field in FIELDS
+    }
 
 
 def collect_with_pyramid(options, study, folder):
@@ -184,8 +255,15 @@ def report_done(path, chosen, missing):
     """Says what is computed, and how to compute again what is not."""
     if not chosen:
         sys.exit("--only chooses no variant")
-    print(f"{chosen - missing} of {chosen} variants are in {path}" + (f", {missing} to compute" if missing else
-          "; to compute one anew, take its line out, or give another file with --csv"), flush=True)
+    print(
+        f"{chosen - missing} of {chosen} variants are in {path}"
+        + (
+            f", {missing} to compute"
+            if missing
+            else "; to compute one anew, take its line out, or give another file with --csv"
+        ),
+        flush=True,
+    )
 
 
 def study(options):
@@ -241,17 +319,27 @@ def tables(path):
             continue
         skipped = NOT_OF_267 if name.startswith("267") else ONLY_OF_267
         columns = {heading: value for heading, value in COLUMNS.items() if heading not in skipped}
-        print(f"\n{about.heading}:\n\n| variant | " + " | ".join(columns) + " |\n|---|" + "---:|" * len(columns))
+        print(
+            f"\n{about.heading}:\n\n| variant | " + " | ".join(columns) + " |\n|---|" + "---:|" * len(columns)
+        )
         for row in sorted(chosen, key=lambda r: list(VARIANTS).index(r["variant"])):
             stopped = "" if row["status"] == "finished" else " (stopped by the guard)"
-            print(f"| {row['variant']}{stopped} | " + " | ".join(value(row) for value in columns.values()) + " |")
+            print(
+                f"| {row['variant']}{stopped} | "
+                + " | ".join(value(row) for value in columns.values())
+                + " |"
+            )
 
 
 def main():
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     options.add_argument("--weavefront", type=Path, default=BUILD / "src/app/weavefront", help="the program")
     options.add_argument("--plot", type=Path, default=BUILD / "bin/weavefront-plot", help="weavefront-plot")
-    options.add_argument("--csv", type=Path, default=HERE / "sensitivity.csv", help="where the rows are collected")
+    options.add_argument(
+        "--csv", type=Path, default=HERE / "sensitivity.csv", help="where the rows are collected"
+    )
     options.add_argument("--only", metavar="STUDIES", help=f"from {','.join(STUDIES)}")
     options.add_argument("--minutes", type=float, help="start no run after this time")
     options.add_argument("--table", action="store_true", help="print the tables instead of computing")

@@ -23,7 +23,16 @@ COARSE = ["--set", "target.mesh={center: 4 mm}"]  # 20,000 elements on the first
 def table(options, name, ranks, *more):
     """Has the program write a table and returns its columns as numbers."""
     path = HERE / f"{name}.csv"
-    command = [options.weavefront, "partition", HERE / "scene.yaml", "--ranks", ",".join(map(str, ranks)), "--out", path, *more]
+    command = [
+        options.weavefront,
+        "partition",
+        HERE / "scene.yaml",
+        "--ranks",
+        ",".join(map(str, ranks)),
+        "--out",
+        path,
+        *more,
+    ]
     if options.machine:
         command += ["--machine", options.machine]
     done = subprocess.run(command, text=True, stdout=subprocess.PIPE)
@@ -42,9 +51,21 @@ def draw(strong, weak, path):
 
     style.apply()
     figure, (times, efficiencies) = style.plt.subplots(1, 2, figsize=(9, 3.4), constrained_layout=True)
-    for columns, colour, label in ((strong, style.BLUE, "strong: 1.28 M elements"), (weak, style.ORANGE, "weak: 20,000 elements a rank")):
-        times.loglog(columns["ranks"], [1e3 * seconds for seconds in columns["step_seconds"]], "o-", ms=3, color=colour, label=label)
-        efficiencies.semilogx(columns["ranks"], [100 * share for share in columns["efficiency"]], "o-", ms=3, color=colour)
+    for columns, colour, label in (
+        (strong, style.BLUE, "strong: 1.28 M elements"),
+        (weak, style.ORANGE, "weak: 20,000 elements a rank"),
+    ):
+        times.loglog(
+            columns["ranks"],
+            [1e3 * seconds for seconds in columns["step_seconds"]],
+            "o-",
+            ms=3,
+            color=colour,
+            label=label,
+        )
+        efficiencies.semilogx(
+            columns["ranks"], [100 * share for share in columns["efficiency"]], "o-", ms=3, color=colour
+        )
     ideal = [1e3 * strong["step_seconds"][0] / ranks for ranks in strong["ranks"]]
     times.loglog(strong["ranks"], ideal, color=style.FAINT, lw=0.8, label="ideal")
     times.set_ylabel("Time of a step, ms")
@@ -59,7 +80,9 @@ def draw(strong, weak, path):
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("--weavefront", default=BUILD / "src/app/weavefront", type=Path, help="the program")
-    options.add_argument("--machine", type=Path, help="constants of a machine (default: those of the program)")
+    options.add_argument(
+        "--machine", type=Path, help="constants of a machine (default: those of the program)"
+    )
     options = options.parse_args()
     strong = table(options, "strong", STRONG)
     weak = table(options, "weak", WEAK, "--weak", *COARSE)

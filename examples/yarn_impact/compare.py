@@ -46,7 +46,10 @@ class Strip:
             frames = range(int(steps.attrs["NSteps"]))
             self.times = steps["Values"][: len(frames)]
             points = [grid["Points"][row : row + nodes] for row in steps["PointOffsets"][: len(frames)]]
-            strain = [grid["CellData/strain_fill"][row : row + elements] for row in steps["CellDataOffsets/strain_fill"][: len(frames)]]
+            strain = [
+                grid["CellData/strain_fill"][row : row + elements]
+                for row in steps["CellDataOffsets/strain_fill"][: len(frames)]
+            ]
             quads = grid["Connectivity"][: 4 * elements].reshape(-1, 4)
         line = points[0][:, 1] == 0
         self.x, self.z = [p[line, 0] for p in points], [p[line, 2] for p in points]
@@ -78,7 +81,12 @@ def measure(strip, expected):
     fronts = np.array([front(strip.centre, strip.strain[k], expected) for k in frames])
     between = (strip.centre > 1.3 * kinks[-1]) & (strip.centre < 0.9 * fronts[-1])
     plateau = strip.strain[-1][between]
-    return {"strain": plateau.mean(), "scatter": plateau.std(), "kink": np.polyfit(times, kinks, 1)[0], "front": np.polyfit(times, fronts, 1)[0]}
+    return {
+        "strain": plateau.mean(),
+        "scatter": plateau.std(),
+        "kink": np.polyfit(times, kinks, 1)[0],
+        "front": np.polyfit(times, fronts, 1)[0],
+    }
 
 
 def draw(path, strip, speed, c, e, U):
@@ -95,8 +103,12 @@ def draw(path, strip, speed, c, e, U):
         shape.plot([0, 1e3 * U * t], [1e3 * speed * t, 0], "k:", lw=1)
         strain.plot(1e3 * strip.centre, 1e2 * strip.strain[k], color=drawn.get_color(), lw=1)
         strain.plot([0, 1e3 * c * t, 1e3 * c * t], [1e2 * e, 1e2 * e, 0], "k:", lw=1)
-    shape.set(xlim=(0, 1.5e3 * U * strip.times[-1]), xlabel="x, mm", ylabel="deflection, mm",
-              title=f"Transverse impact at {speed:.0f} m/s on a strip of straight yarns; dotted: Smith (1958)")
+    shape.set(
+        xlim=(0, 1.5e3 * U * strip.times[-1]),
+        xlabel="x, mm",
+        ylabel="deflection, mm",
+        title=f"Transverse impact at {speed:.0f} m/s on a strip of straight yarns; dotted: Smith (1958)",
+    )
     shape.legend()
     strain.set(xlabel="initial x, mm", ylabel="yarn strain, %", xlim=(0, 1e3 * strip.centre[-1]))
     figure.savefig(path, dpi=110)
@@ -114,8 +126,11 @@ def main():
     e, U = smith(speed, c)
     found = measure(strip, e)
     off = []
-    for name, value, exact in [("strain behind the front", found["strain"], e), ("transverse wave speed, m/s", found["kink"], U),
-                               ("longitudinal wave speed, m/s", found["front"], c)]:
+    for name, value, exact in [
+        ("strain behind the front", found["strain"], e),
+        ("transverse wave speed, m/s", found["kink"], U),
+        ("longitudinal wave speed, m/s", found["front"], c),
+    ]:
         off.append(abs(value / exact - 1))
         print(f"{name:30} {value:10.6g}   Smith {exact:10.6g}   off by {100 * (value / exact - 1):+.2f} %")
     off.append(found["scatter"] / e)

@@ -18,7 +18,9 @@ class Counts:
 
     def total(self, but_objects=()):
         """Of all functions, without those of objects (libraries) whose path holds one of the words."""
-        return sum(count for count, _, where in self.functions if not any(word in where for word in but_objects))
+        return sum(
+            count for count, _, where in self.functions if not any(word in where for word in but_objects)
+        )
 
     def of(self, name):
         """Of the functions whose name begins so."""
@@ -31,13 +33,24 @@ class Counts:
 def require():
     """Ends the program when valgrind is missing."""
     if not shutil.which("valgrind") or not shutil.which("callgrind_annotate"):
-        sys.exit("valgrind not found: it counts the instructions. It is needed for this table only: apt-get install valgrind")
+        sys.exit(
+            "valgrind not found: it counts the instructions. It is needed for this table only: apt-get install valgrind"
+        )
 
 
 def read(path, inclusive):
     text = subprocess.run(
-        ["callgrind_annotate", "--threshold=100", "--auto=no", f"--inclusive={'yes' if inclusive else 'no'}", str(path)],
-        capture_output=True, text=True, check=True).stdout
+        [
+            "callgrind_annotate",
+            "--threshold=100",
+            "--auto=no",
+            f"--inclusive={'yes' if inclusive else 'no'}",
+            str(path),
+        ],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
     functions = []
     for line in text.splitlines():
         found = re.match(r"\s*([\d,]+) \([^)]*%\)\s+[^:]*:(.*?)(?: \[([^\]]*)\])?$", line)
@@ -67,10 +80,24 @@ def traffic(command, within, cache="1048576,16,64"):
     levels = [f"--{level}=32768,8,64" for level in ("I1", "D1")]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "out"
-        tool = ["valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={path}", "--cache-sim=yes", "--simulate-wb=yes", *levels,
-                f"--LL={cache}", "--collect-atstart=no", f"--toggle-collect={within}"]
+        tool = [
+            "valgrind",
+            "--quiet",
+            "--tool=callgrind",
+            f"--callgrind-out-file={path}",
+            "--cache-sim=yes",
+            "--simulate-wb=yes",
+            *levels,
+            f"--LL={cache}",
+            "--collect-atstart=no",
+            f"--toggle-collect={within}",
+        ]
         printed = subprocess.run([*tool, *command], capture_output=True, text=True, check=True).stdout
-        words = {line.split()[0]: line.split()[1:] for line in path.read_text().splitlines() if line.startswith(("events:", "totals:"))}
+        words = {
+            line.split()[0]: line.split()[1:]
+            for line in path.read_text().splitlines()
+            if line.startswith(("events:", "totals:"))
+        }
     count = {event: int(value) for event, value in zip(words["events:"], words["totals:"])}
     lines = sum(count.get(event, 0) for event in ("DLmr", "DLmw", "ILdmr", "DLdmr", "DLdmw"))
     return count["Ir"], lines * int(cache.split(",")[2]), printed

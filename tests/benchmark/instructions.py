@@ -20,9 +20,13 @@ TOUCHING_STEPS, TOUCHING_ALLOWED = 800, 1.3
 
 FABRIC = "fabrics.kevlar129"
 FULL = [
-    f"{FABRIC}.thickness=0.82 mm", f"{FABRIC}.elastic.viscosity=35 MPa s", f"{FABRIC}.failure={{static_strain: 3.3 %, hooke_strain: 2.7 %}}",
-    f"{FABRIC}.lateral={{modulus: 7.4 GPa, shear_modulus: 2.5 GPa, locking_angle: 35 deg, transition: 3 deg}}", f"{FABRIC}.friction=0.11",
-    f"{FABRIC}.hourglass=0.05", f"{FABRIC}.transverse_shear=2.5 GPa",
+    f"{FABRIC}.thickness=0.82 mm",
+    f"{FABRIC}.elastic.viscosity=35 MPa s",
+    f"{FABRIC}.failure={{static_strain: 3.3 %, hooke_strain: 2.7 %}}",
+    f"{FABRIC}.lateral={{modulus: 7.4 GPa, shear_modulus: 2.5 GPa, locking_angle: 35 deg, transition: 3 deg}}",
+    f"{FABRIC}.friction=0.11",
+    f"{FABRIC}.hourglass=0.05",
+    f"{FABRIC}.transverse_shear=2.5 GPa",
 ]
 SPHERE = "projectile={shape: sphere, diameter: 6 mm, mass: 0.9 g, velocity: [0, 0, 300 m/s]}"
 CASES = {
@@ -31,11 +35,20 @@ CASES = {
     "full fabric, ply contact": [*FULL, "contact={plies: {}}"],
     "full fabric, ply and projectile contact": [*FULL, SPHERE, "contact={plies: {}, projectile: {}}"],
     "paper formulation": [*FULL, f"{FABRIC}.formulation=paper"],
-    "breaking yarns": [*FULL, f"{FABRIC}.thickness=0.2 mm", f"{FABRIC}.failure={{static_strain: 0.005 %, hooke_strain: 0.005 %}}"],
+    "breaking yarns": [
+        *FULL,
+        f"{FABRIC}.thickness=0.2 mm",
+        f"{FABRIC}.failure={{static_strain: 0.005 %, hooke_strain: 0.005 %}}",
+    ],
 }
 # A quarter of a stack of six plies under a fragment, for as long as it dishes.
 STACK = [
-    *FULL, f"{FABRIC}.thickness=0.23 mm", "target.size=[60 mm, 60 mm]", "target.edges={}", "target.symmetry=[x, y]", "target.mesh.center=1.5 mm",
+    *FULL,
+    f"{FABRIC}.thickness=0.23 mm",
+    "target.size=[60 mm, 60 mm]",
+    "target.edges={}",
+    "target.symmetry=[x, y]",
+    "target.mesh.center=1.5 mm",
     "projectile={shape: cylinder, diameter: 5.46 mm, edge_radius: 0.3 mm, mass: 1.1 g, velocity: [0, 0, 340 m/s]}",
     "contact={plies: {}, projectile: {}}",
 ]
@@ -51,8 +64,17 @@ def instructions(build, overrides, *options):
 
 def touching(build):
     """How many times the instructions of plies 0.1 mm apart those of plies that touch are."""
-    counts = [instructions(build, [*STACK, f"target.plies={{count: 6, fabric: kevlar129, gap: {gap}}}"], "--steps", TOUCHING_STEPS, "--speed", 0)
-              for gap in ("0", "0.1 mm")]
+    counts = [
+        instructions(
+            build,
+            [*STACK, f"target.plies={{count: 6, fabric: kevlar129, gap: {gap}}}"],
+            "--steps",
+            TOUCHING_STEPS,
+            "--speed",
+            0,
+        )
+        for gap in ("0", "0.1 mm")
+    ]
     return counts[0] / counts[1]
 
 
@@ -60,7 +82,9 @@ def require_countable(build):
     """Ends the program for a build whose instructions cannot be counted."""
     callgrind.require()
     if architecture(build) != "x86-64-v3":
-        sys.exit(f"{build} is built for {architecture(build)}: configure with -DWEAVEFRONT_ARCH=x86-64-v3, since valgrind knows no AVX-512")
+        sys.exit(
+            f"{build} is built for {architecture(build)}: configure with -DWEAVEFRONT_ARCH=x86-64-v3, since valgrind knows no AVX-512"
+        )
 
 
 def main():
@@ -72,9 +96,14 @@ def main():
     built_by = compiler(options.build)
     baseline = {} if options.update else json.loads(BASELINE.read_text())
     if not options.update and baseline["compiler"] != built_by:
-        print(f"{BASELINE.name} counts {baseline['compiler']}, {options.build} is built by {built_by}: not compared")
+        print(
+            f"{BASELINE.name} counts {baseline['compiler']}, {options.build} is built by {built_by}: not compared"
+        )
         return SKIPPED
-    now = {case: round(instructions(options.build, overrides, "--steps", STEPS), 1) for case, overrides in CASES.items()}
+    now = {
+        case: round(instructions(options.build, overrides, "--steps", STEPS), 1)
+        for case, overrides in CASES.items()
+    }
     if options.update:
         BASELINE.write_text(json.dumps({"compiler": built_by, "instructions": now}, indent=2) + "\n")
         print(BASELINE.read_text())
@@ -95,7 +124,9 @@ def main():
     ratio = touching(options.build)
     print(f"{'plies that touch, of plies 0.1 mm apart':42}{'':20}{ratio:8.2f}x")
     if ratio > TOUCHING_ALLOWED:
-        defects.append(f"plies that touch take {ratio:.2f} times the instructions of plies 0.1 mm apart, allowed {TOUCHING_ALLOWED}")
+        defects.append(
+            f"plies that touch take {ratio:.2f} times the instructions of plies 0.1 mm apart, allowed {TOUCHING_ALLOWED}"
+        )
     print("\n".join(defects))
     return 1 if defects else 0
 

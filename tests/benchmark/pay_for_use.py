@@ -17,13 +17,26 @@ from programs import architecture, processor, run, settings
 HERE = Path(__file__).parent
 SCENE = HERE / "scene.yaml"
 STEPS, REPEATS, ALLOWED = 100, 7, 0.005
-OF_MPI = ("libmpi", "libopen", "mca_", "libevent", "libpmix", "libhwloc", "ld-linux", "libc.so", "libpthread", "vdso")
+OF_MPI = (
+    "libmpi",
+    "libopen",
+    "mca_",
+    "libevent",
+    "libpmix",
+    "libhwloc",
+    "ld-linux",
+    "libc.so",
+    "libpthread",
+    "vdso",
+)
 
 FABRIC = "fabrics.kevlar129"
 CRIMP = [f"{FABRIC}.thickness=0.82 mm"]
 FAILURE = [f"{FABRIC}.failure={{static_strain: 3.3 %, hooke_strain: 2.7 %}}"]
 BREAKING = [f"{FABRIC}.failure={{static_strain: 0.02 %, hooke_strain: 0.02 %, erode: any_yarn}}"]
-LATERAL = [f"{FABRIC}.lateral={{modulus: 7.4 GPa, shear_modulus: 2.5 GPa, locking_angle: 3.2 deg, transition: 3 deg}}"]
+LATERAL = [
+    f"{FABRIC}.lateral={{modulus: 7.4 GPa, shear_modulus: 2.5 GPa, locking_angle: 3.2 deg, transition: 3 deg}}"
+]
 FRAME = ["target.edges={x: free, y: frame}", "target.frame={opening: {y: 16 mm}}"]
 SPHERE = "projectile={shape: sphere, diameter: 6 mm, mass: 0.9 g, velocity: [0, 0, 300 m/s]}"
 
@@ -55,7 +68,14 @@ class Steps:
         """instructions and nanoseconds an element-step, bytes an element, allocations"""
         key = (*overrides, textbook)
         if key not in self.known:
-            command = [self.program, SCENE, *settings(overrides), "--steps", str(STEPS), *(["--textbook"] if textbook else [])]
+            command = [
+                self.program,
+                SCENE,
+                *settings(overrides),
+                "--steps",
+                str(STEPS),
+                *(["--textbook"] if textbook else []),
+            ]
             (counts,), printed = callgrind.count(command, within="measured_steps")
             cost = json.loads(printed)
             cost["instructions"] = counts.total() / (cost["elements"] * cost["steps"])
@@ -67,20 +87,33 @@ class Steps:
 
     def leave_the_same_bits(self, overrides):
         """Whether the product's step and the one without its optional features do."""
-        return subprocess.run([self.program, SCENE, *settings(overrides), "--check"], capture_output=True).returncode == 0
+        return (
+            subprocess.run(
+                [self.program, SCENE, *settings(overrides), "--check"], capture_output=True
+            ).returncode
+            == 0
+        )
 
 
 def step_rows(steps):
     """Rows of the table and what is over the allowance."""
     rows, defects = [], []
     for feature, (others, switch) in STEP_FEATURES.items():
-        off, on, without = steps.cost(others), steps.cost([*others, *switch]), steps.cost(others, textbook=True)
+        off, on, without = (
+            steps.cost(others),
+            steps.cost([*others, *switch]),
+            steps.cost(others, textbook=True),
+        )
         excess = off["instructions"] / without["instructions"] - 1
-        rows.append(f"| {feature} | {without['instructions']:.1f} | {off['instructions']:.1f} | {excess:+.2%} | {on['instructions']:.1f} "
-                    f"| {off['bytes']:.0f} | {on['bytes']:.0f} | {off['nanoseconds']:.1f} | {on['nanoseconds']:.1f} "
-                    f"| {off['allocations']} | {on['allocations']} |")
+        rows.append(
+            f"| {feature} | {without['instructions']:.1f} | {off['instructions']:.1f} | {excess:+.2%} | {on['instructions']:.1f} "
+            f"| {off['bytes']:.0f} | {on['bytes']:.0f} | {off['nanoseconds']:.1f} | {on['nanoseconds']:.1f} "
+            f"| {off['allocations']} | {on['allocations']} |"
+        )
         if excess > ALLOWED:
-            defects.append(f"{feature}: off costs {excess:.2%} more than a step without it, allowed {ALLOWED:.1%}")
+            defects.append(
+                f"{feature}: off costs {excess:.2%} more than a step without it, allowed {ALLOWED:.1%}"
+            )
         if off["allocations"]:
             defects.append(f"{feature}: off allocates")
         if not steps.leave_the_same_bits(others):
@@ -101,7 +134,14 @@ def halo_row(steps):
 def program_costs(build, overrides):
     """Instructions of a whole run by part: the steps, a row of the history, a frame; all an element, steps an element-step."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [build / "src/app/weavefront", "run", SCENE, "--output", folder, *settings([SPHERE, "contact={projectile: {}}", *overrides])]
+        command = [
+            build / "src/app/weavefront",
+            "run",
+            SCENE,
+            "--output",
+            folder,
+            *settings([SPHERE, "contact={projectile: {}}", *overrides]),
+        ]
         (counts,), _ = callgrind.count(command)
         summary = json.loads((Path(folder) / "summary.json").read_text())
         rows = len((Path(folder) / "history.csv").read_text().splitlines()) - 1
@@ -111,7 +151,8 @@ def program_costs(build, overrides):
         "step": (counts.of(f"{solver}advance_forces") + counts.of(f"{solver}integrate")) / (elements * steps),
         "row": counts.of(f"{solver}balance") / (elements * rows),
         "rows": rows,
-        "frames": (counts.of("weavefront::app::frame_of") + counts.of("weavefront::io::Results::write")) / elements,
+        "frames": (counts.of("weavefront::app::frame_of") + counts.of("weavefront::io::Results::write"))
+        / elements,
     }
 
 
@@ -136,13 +177,25 @@ def main():
     options = parser.parse_args()
     callgrind.require()
     if architecture(options.build) != "x86-64-v3":
-        sys.exit(f"{options.build} is built for {architecture(options.build)}: configure with -DWEAVEFRONT_ARCH=x86-64-v3")
+        sys.exit(
+            f"{options.build} is built for {architecture(options.build)}: configure with -DWEAVEFRONT_ARCH=x86-64-v3"
+        )
     steps = Steps(options.build)
     rows, defects = step_rows(steps)
     template = (HERE / "pay_for_use.md.in").read_text()
-    options.output.write_text(template.format(
-        steps="\n".join(rows), halo=halo_row(steps), output="\n".join(output_rows(options.build)), count=STEPS, repeats=REPEATS,
-        elements=steps.cost([])["elements"], processor=processor(), cores=os.cpu_count(), allowed=f"{ALLOWED:.1%}"))
+    options.output.write_text(
+        template.format(
+            steps="\n".join(rows),
+            halo=halo_row(steps),
+            output="\n".join(output_rows(options.build)),
+            count=STEPS,
+            repeats=REPEATS,
+            elements=steps.cost([])["elements"],
+            processor=processor(),
+            cores=os.cpu_count(),
+            allowed=f"{ALLOWED:.1%}",
+        )
+    )
     print(options.output.read_text())
     for defect in defects:
         print(defect)

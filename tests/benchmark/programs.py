@@ -36,4 +36,6 @@ def architecture(build):
 def compiler(build):
     """Name and version, such as GNU 12.2.0."""
     text = next((build / "CMakeFiles").glob("*/CMakeCXXCompiler.cmake")).read_text()
-    return " ".join(re.search(rf'set\(CMAKE_CXX_COMPILER_{word} "([^"]*)"\)', text).group(1) for word in ("ID", "VERSION"))
+    return " ".join(
+        re.search(rf'set\(CMAKE_CXX_COMPILER_{word} "([^"]*)"\)', text).group(1) for word in ("ID", "VERSION")
+    )

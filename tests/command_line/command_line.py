@@ -13,29 +13,81 @@ CASES = [
     (["run", "--help"], 0, []),
     (["--version"], 0, []),
     ([], 2, ["A subcommand is required"]),
-    (["rnu", "a.yaml"], 2, ["subcommand 'rnu': unknown, allowed run, check, cell, yarn, fabrics, study, partition, did you mean 'run'?"]),
-    (["explode"], 2, ["subcommand 'explode': unknown, allowed run, check, cell, yarn, fabrics, study, partition"]),
+    (
+        ["rnu", "a.yaml"],
+        2,
+        [
+            "subcommand 'rnu': unknown, allowed run, check, cell, yarn, fabrics, study, partition, did you mean 'run'?"
+        ],
+    ),
+    (
+        ["explode"],
+        2,
+        ["subcommand 'explode': unknown, allowed run, check, cell, yarn, fabrics, study, partition"],
+    ),
     (["v50", "a.yaml"], 2, ["subcommand 'v50': not available in this version"]),
     (["study"], 2, [""]),
     (["study", "no_such_file.yaml"], 2, ["no_such_file.yaml: cannot be read: No such file or directory"]),
     (["partition", "a.yaml"], 2, ["partition: allowed is one of --ranks LIST and --calibrate FILE"]),
     (["run", "a.yaml", "--outptu", "d"], 2, ["option '--outptu': unknown, allowed --help, "]),
     (["run", "a.yaml", "--restart", "auto", "--overwrite"], 2, ["--overwrite excludes --restart"]),
-    (["run", "a.yaml", "--checkpoint-every", "10"], 2, ["--checkpoint-every: found a number without a unit, allowed a time with its unit"]),
-    (["run", "a.yaml", "--walltime", "0 s"], 2, ["--walltime: found '0 s', allowed a time above 0, such as '2 h'"]),
+    (
+        ["run", "a.yaml", "--checkpoint-every", "10"],
+        2,
+        ["--checkpoint-every: found a number without a unit, allowed a time with its unit"],
+    ),
+    (
+        ["run", "a.yaml", "--walltime", "0 s"],
+        2,
+        ["--walltime: found '0 s', allowed a time above 0, such as '2 h'"],
+    ),
     (["run", "a.yaml", "--rebalance"], 2, ["--rebalance: 1 required"]),
     (["run", "a.yaml", "--rebalance", "-1"], 2, ["--rebalance: found '-1', allowed a number of at least 0"]),
-    (["run", "a.yaml", "--rebalance", "nan"], 2, ["--rebalance: found 'nan', allowed a number of at least 0"]),
-    (["yarn", "--rates", "", "a.yaml", "--out", "y.csv"], 2, ["--rates: found '', allowed positive strain rates in 1/s, such as 1,10,100"]),
-    (["yarn", "--rates", "1,,2", "a.yaml", "--out", "y.csv"], 2, ["--rates: found '', allowed positive strain rates"]),
-    (["yarn", "--rates", "0x10,1", "a.yaml", "--out", "y.csv"], 2, ["--rates: found '0x10', allowed positive strain rates"]),
-    (["yarn", "--rates", "1,nan,-2", "a.yaml", "--out", "y.csv"], 2, ["--rates: found 'nan', ", "--rates: found '-2', "]),
-    (["yarn", "--rates", "1,10", "no_such_file.yaml", "--out", "y.csv"], 2, ["no_such_file.yaml: cannot be read"]),
+    (
+        ["run", "a.yaml", "--rebalance", "nan"],
+        2,
+        ["--rebalance: found 'nan', allowed a number of at least 0"],
+    ),
+    (
+        ["yarn", "--rates", "", "a.yaml", "--out", "y.csv"],
+        2,
+        ["--rates: found '', allowed positive strain rates in 1/s, such as 1,10,100"],
+    ),
+    (
+        ["yarn", "--rates", "1,,2", "a.yaml", "--out", "y.csv"],
+        2,
+        ["--rates: found '', allowed positive strain rates"],
+    ),
+    (
+        ["yarn", "--rates", "0x10,1", "a.yaml", "--out", "y.csv"],
+        2,
+        ["--rates: found '0x10', allowed positive strain rates"],
+    ),
+    (
+        ["yarn", "--rates", "1,nan,-2", "a.yaml", "--out", "y.csv"],
+        2,
+        ["--rates: found 'nan', ", "--rates: found '-2', "],
+    ),
+    (
+        ["yarn", "--rates", "1,10", "no_such_file.yaml", "--out", "y.csv"],
+        2,
+        ["no_such_file.yaml: cannot be read"],
+    ),
     (["--vresion"], 2, ["option '--vresion': unknown, allowed --help, --version, did you mean '--version'?"]),
     (["run"], 2, [""]),
     (["check", "folder"], 2, ["folder: cannot be read: Is a directory"]),
-    (["check", "study.yaml"], 2, ["study.yaml:2:11: variants: found a study, allowed a scene; studies are computed by weavefront study"]),
-    (["study", "bad.yaml"], 2, ["bad.yaml:2:10: fabrics: found a scene, allowed a study, which names its scene"]),
+    (
+        ["check", "study.yaml"],
+        2,
+        [
+            "study.yaml:2:11: variants: found a study, allowed a scene; studies are computed by weavefront study"
+        ],
+    ),
+    (
+        ["study", "bad.yaml"],
+        2,
+        ["bad.yaml:2:10: fabrics: found a scene, allowed a study, which names its scene"],
+    ),
     (["check", "no_such_file.yaml"], 2, ["no_such_file.yaml: cannot be read: No such file or directory"]),
     (
         ["check", "--set", "title=x", "--set", "fabrics.b.yarn=1", "bad.yaml"],
@@ -82,7 +134,10 @@ def main():
             if number % 4 == 3 or status == 0:
                 other_rank = call(program, *arguments, rank=1)
                 others = 0 if arguments[:1] in (["check"], ["cell"], ["yarn"]) else status
-                assert (other_rank.returncode, other_rank.stdout, other_rank.stderr) == (others, "", ""), (arguments, other_rank)
+                assert (other_rank.returncode, other_rank.stdout, other_rank.stderr) == (others, "", ""), (
+                    arguments,
+                    other_rank,
+                )
 
             # A few cases show the same with ranks.
             if number % 5 > 0:

@@ -27,19 +27,33 @@ def call(program, *arguments, status=0):
 def main():
     program = sys.argv[1]
     listed = call(program, "fabrics")
-    names = [line.split(":")[0] for line in listed.splitlines() if line and line[0] != " " and not line.startswith("In a scene")]
+    names = [
+        line.split(":")[0]
+        for line in listed.splitlines()
+        if line and line[0] != " " and not line.startswith("In a scene")
+    ]
     assert "kevlar_km2_s706" in names and len(names) >= 6, names
     one = call(program, "fabrics", "kevlar_km2_s706")
-    assert one in listed and "  yarn.denier              600                [2]\n" in one and "quoted from memory with confidence 0.9" in one, one
+    assert (
+        one in listed
+        and "  yarn.denier              600                [2]\n" in one
+        and "quoted from memory with confidence 0.9" in one
+    ), one
     error = call(program, "fabrics", "kevlar_km2", status=2)
     assert "fabric 'kevlar_km2': unknown, allowed " in error, error
     with tempfile.TemporaryDirectory() as folder:
         scene = Path(folder) / "scene.yaml"
         for name in names:
             scene.write_text(SCENE.replace("NAME", name))
-            warnings = [line for line in call(program, "check", str(scene)).splitlines() if line.startswith("warning: ")]
+            warnings = [
+                line
+                for line in call(program, "check", str(scene)).splitlines()
+                if line.startswith("warning: ")
+            ]
             # Only the paper's crimp is no geometry.
-            assert len(warnings) == (name == "kevlar129_it04") and all("longer than the cell" in line for line in warnings), (name, warnings)
+            assert len(warnings) == (name == "kevlar129_it04") and all(
+                "longer than the cell" in line for line in warnings
+            ), (name, warnings)
 
 
 main()

@@ -14,13 +14,19 @@ OTHERS = (
 ALONE = (
     {"PMI_SIZE": "1", "PMI_RANK": "0"},
     {"SLURM_NTASKS": "4", "SLURM_PROCID": "0"},  # in a job script, not started by srun
-    {"OMPI_COMM_WORLD_SIZE": "1", "SLURM_NTASKS": "4", "SLURM_STEP_NUM_TASKS": "4"},  # mpirun -n 1 inside a job
+    {
+        "OMPI_COMM_WORLD_SIZE": "1",
+        "SLURM_NTASKS": "4",
+        "SLURM_STEP_NUM_TASKS": "4",
+    },  # mpirun -n 1 inside a job
 )
 
 
 def call(program, variables, *arguments):
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("OMPI_COMM", "PMI", "SLURM"))}
-    done = subprocess.run([program, *arguments], capture_output=True, text=True, env=environment | variables, timeout=60)
+    done = subprocess.run(
+        [program, *arguments], capture_output=True, text=True, env=environment | variables, timeout=60
+    )
     print(variables, arguments[0], done.returncode, done.stderr)
     return done
 
@@ -30,24 +36,50 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         with open("study.yaml", "w") as file:
-            file.write(f"scene: {scene}\nvariants:\n  - {{time.end: [1 us]}}\nquantities: [residual_velocity]\n")
+            file.write(
+                f"scene: {scene}\nvariants:\n  - {{time.end: [1 us]}}\nquantities: [residual_velocity]\n"
+            )
         output = ("--output", "out", "--overwrite")
-        small = ("--set", "target.mesh.center=4 mm", "--set", "target.mesh.edge=4 mm", "--set", "time.end=1 us", "--set", "output.interval=0",
-                 "--set", "target.plies.count=1")
+        small = (
+            "--set",
+            "target.mesh.center=4 mm",
+            "--set",
+            "target.mesh.edge=4 mm",
+            "--set",
+            "time.end=1 us",
+            "--set",
+            "output.interval=0",
+            "--set",
+            "target.plies.count=1",
+        )
         for variables in OTHERS:
             size = next(name for name in variables if name.endswith(("SIZE", "NTASKS")))
-            for arguments in (("run", scene, *output, *small), ("study", "study.yaml"), ("partition", scene, "--ranks", "1")):
+            for arguments in (
+                ("run", scene, *output, *small),
+                ("study", "study.yaml"),
+                ("partition", scene, "--ranks", "1"),
+            ):
                 done = call(program, variables, *arguments)
                 assert done.returncode == 2 and done.stderr.count("weavefront: error: ") == 1, done
-                assert f"found one rank where the launcher has started 4 processes ({size}=4)" in done.stderr, done
-                other = {name: "2" if name.endswith(("RANK", "PROCID")) else value for name, value in variables.items()}
+                assert (
+                    f"found one rank where the launcher has started 4 processes ({size}=4)" in done.stderr
+                ), done
+                other = {
+                    name: "2" if name.endswith(("RANK", "PROCID")) else value
+                    for name, value in variables.items()
+                }
                 done = call(program, other, *arguments)
                 assert done.returncode == 2 and done.stderr == "", done
             assert call(program, variables, "check", scene).returncode == 0
         assert os.listdir() == ["study.yaml"], os.listdir()
         for variables in ALONE:
             assert call(program, variables, "run", scene, *output, *small).returncode == 0
-        assert subprocess.run([mpiexec, "-n", "2", program, "run", scene, *output, *small], timeout=60).returncode == 0
+        assert (
+            subprocess.run(
+                [mpiexec, "-n", "2", program, "run", scene, *output, *small], timeout=60
+            ).returncode
+            == 0
+        )
 
 
 main()

@@ -30,7 +30,10 @@ def check(program, overrides):
 
 
 def check_plies(program, plies):
-    return check(program, [f"target.plies={{count: {plies}, fabric: a, spacing: 0.25 mm}}", "target.mesh={center: 20 mm}"])
+    return check(
+        program,
+        [f"target.plies={{count: {plies}, fabric: a, spacing: 0.25 mm}}", "target.mesh={center: 20 mm}"],
+    )
 
 
 def check_checkpoints(program):

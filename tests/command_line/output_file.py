@@ -41,15 +41,33 @@ def main():
             status, told = call(program, *arguments)
             assert status == 2 and "which the command reads; allowed another file" in told, arguments
         missing = Path(folder) / "missing" / "table.csv"
-        for arguments in (("yarn", scene, *rates), ("cell", scene, "--path", path), ("partition", scene, *ranks)):
+        for arguments in (
+            ("yarn", scene, *rates),
+            ("cell", scene, "--path", path),
+            ("partition", scene, *ranks),
+        ):
             status, told = call(program, *arguments, "--out", missing)
             assert status == 3 and "table.csv cannot be written: No such file or directory" in told, arguments
-            for out, kind in ((folder, "folder"), (null, "device"), (Path(folder) / "link.csv", "link"), (Path(folder) / "fifo", "FIFO")):
+            for out, kind in (
+                (folder, "folder"),
+                (null, "device"),
+                (Path(folder) / "link.csv", "link"),
+                (Path(folder) / "fifo", "FIFO"),
+            ):
                 status, told = call(program, *arguments, "--out", out)
-                assert status == 3 and f"{out} cannot be written: it is a {kind}, allowed is a regular file or none" in told, arguments
+                assert (
+                    status == 3
+                    and f"{out} cannot be written: it is a {kind}, allowed is a regular file or none" in told
+                ), arguments
         assert null.is_char_device() and (Path(folder) / "fifo").is_fifo()
         assert all(file.read_text() == text for file, text in texts.items())
-        assert {file.name for file in Path(folder).iterdir()} == {"scene.yaml", "path.csv", "target.csv", "link.csv", "fifo"} | {null.name for _ in [0] if null.parent == Path(folder)}
+        assert {file.name for file in Path(folder).iterdir()} == {
+            "scene.yaml",
+            "path.csv",
+            "target.csv",
+            "link.csv",
+            "fifo",
+        } | {null.name for _ in [0] if null.parent == Path(folder)}
 
 
 main()

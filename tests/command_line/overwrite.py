@@ -31,14 +31,21 @@ def refused_runs_leave_the_earlier_one(program, folder):
             (error,) = program.run("out", GUARD, ranks, options, status=wanted)
             assert ("the time step vanished" if options else "--overwrite replaces it") in error, error
             if ranks == 1:  # mpirun itself would suffer
-                (error,) = program.run("out", TOO_LARGE, ranks, options, status=3 if options else 2, preexec_fn=limit_file_size)
-                assert ("out/results.vtkhdf may grow to" if options else "--overwrite replaces it") in error, error
+                (error,) = program.run(
+                    "out", TOO_LARGE, ranks, options, status=3 if options else 2, preexec_fn=limit_file_size
+                )
+                assert (
+                    "out/results.vtkhdf may grow to" if options else "--overwrite replaces it"
+                ) in error, error
             program.run("out", ["time.end=-1 us"], ranks, options, status=2)
             assert bytes_of(folder / "out") == before, (options, ranks)
     program.run("out", ["title=Another"], options=["--overwrite"])
     assert summary(folder / "out")["title"] == "Another"
     assert set(bytes_of(folder / "out")) == FILES
-    assert "replaces      summary.json, history.csv, results.vtkhdf, run.log" in (folder / "out/run.log").read_text()
+    assert (
+        "replaces      summary.json, history.csv, results.vtkhdf, run.log"
+        in (folder / "out/run.log").read_text()
+    )
 
 
 def killed_runs_are_refused_by_name(program, folder):
@@ -48,7 +55,9 @@ def killed_runs_are_refused_by_name(program, folder):
     left = set(bytes_of(folder / "killed"))
     assert left == {"history.csv", "results.vtkhdf", "run.log", "run.lock"}, left
     (error,) = program.run("killed", status=2)
-    assert "holds a run already (history.csv, results.vtkhdf, run.log): --overwrite replaces it" in error, error
+    assert (
+        "holds a run already (history.csv, results.vtkhdf, run.log): --overwrite replaces it" in error
+    ), error
     (folder / "killed/results.vtkhdf").rename(folder / "killed/results.vtkhdf.new")
     (error,) = program.run("killed", status=2)
     assert "results.vtkhdf.new" in error, error
@@ -64,7 +73,12 @@ def kills_while_setting_up_leave_one_run(program, folder):
         for delay in (0, 0.002, 0.005, 0.02, 0.1):
             for name, text in before.items():
                 (folder / "up" / name).write_bytes(text)
-            command = program.command("up", ["target.mesh={center: 0.2 mm, edge: 0.2 mm}", "output.interval=0"], ranks, ["--overwrite"])
+            command = program.command(
+                "up",
+                ["target.mesh={center: 0.2 mm, edge: 0.2 mm}", "output.interval=0"],
+                ranks,
+                ["--overwrite"],
+            )
             process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             while not list((folder / "up").glob("*.new")):
                 assert process.poll() is None
@@ -97,7 +111,10 @@ def moved_folders_are_noticed(program, folder):
         process = program.start("moved", ranks=ranks)
         (folder / "moved").rename(folder / f"elsewhere {ranks}")
         text = process.communicate(timeout=60)[1]
-        assert process.returncode == 3 and "moved/history.csv is no longer there" in text, (process.returncode, text)
+        assert process.returncode == 3 and "moved/history.csv is no longer there" in text, (
+            process.returncode,
+            text,
+        )
         assert "Ended at t = " in (folder / f"elsewhere {ranks}/run.log").read_text()
 
 
@@ -121,8 +138,13 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         program = Program(weavefront, mpiexec, folder)
-        for check in (refused_runs_leave_the_earlier_one, killed_runs_are_refused_by_name, kills_while_setting_up_leave_one_run,
-                      moved_folders_are_noticed, links_are_refused):
+        for check in (
+            refused_runs_leave_the_earlier_one,
+            killed_runs_are_refused_by_name,
+            kills_while_setting_up_leave_one_run,
+            moved_folders_are_noticed,
+            links_are_refused,
+        ):
             print(check.__name__, flush=True)
             check(program, folder)
 

@@ -30,19 +30,32 @@ def main():
         # A rank whose node lacks the database of units, the first or another, or all.
         without = variable_of_launcher(mpiexec, "UDUNITS2_XML_PATH", "/nonexistent")
         cause = "the unit database of udunits2 cannot be read"
-        for rank, ranks in ((1, ["-n", "1", *run, ":", "-n", "1", *without, *run]), (0, ["-n", "1", *without, *run, ":", "-n", "2", *run])):
+        for rank, ranks in (
+            (1, ["-n", "1", *run, ":", "-n", "1", *without, *run]),
+            (0, ["-n", "1", *without, *run, ":", "-n", "2", *run]),
+        ):
             status, errors = call(mpiexec, *ranks)
-            assert status == 3 and len(errors) == 1 and errors[0].startswith(f"rank {rank}: {cause}"), (status, errors)
+            assert status == 3 and len(errors) == 1 and errors[0].startswith(f"rank {rank}: {cause}"), (
+                status,
+                errors,
+            )
         status, errors = call(mpiexec, "-n", "2", *without, *run)
         assert status == 3 and len(errors) == 1 and errors[0].startswith(cause), (status, errors)
 
         # Ranks that are to do different things.
-        for other in (program.command("elsewhere"), program.command("out", ["title=a"]), [weavefront, "run", folder / "other.yaml", *run[3:]],
-                      [weavefront, "check", *run[2:3]], [weavefront, "rnu"]):
+        for other in (
+            program.command("elsewhere"),
+            program.command("out", ["title=a"]),
+            [weavefront, "run", folder / "other.yaml", *run[3:]],
+            [weavefront, "check", *run[2:3]],
+            [weavefront, "rnu"],
+        ):
             status, errors = call(mpiexec, "-n", "1", *run, ":", "-n", "1", *other)
             told = " ".join(map(str, other[1:]))
             assert status == 2 and len(errors) == 1, errors
-            assert f"the ranks were started differently: rank 1 as weavefront {told} of version" in errors[0], errors
+            assert (
+                f"the ranks were started differently: rank 1 as weavefront {told} of version" in errors[0]
+            ), errors
             assert f"rank 0 as weavefront {' '.join(run[1:])} of version" in errors[0], errors
         assert not (folder / "out").exists() and not (folder / "elsewhere").exists()
 

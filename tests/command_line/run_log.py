@@ -13,7 +13,12 @@ TIME = r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d [-+]\d{4}"
 
 
 def run(folder, name, *command):
-    done = subprocess.run([str(word) for word in (*command, "--output", folder / name)], capture_output=True, text=True, timeout=60)
+    done = subprocess.run(
+        [str(word) for word in (*command, "--output", folder / name)],
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
     assert done.returncode == 0, done
     return (folder / name / "run.log").read_text().splitlines(), done
 
@@ -23,17 +28,31 @@ def check_head_and_end(log, words, ranks):
     ended = re.fullmatch(rf"  ended         ({TIME}), after (\d+\.\d\d s|.* min .*)", log[-1])
     assert started and ended, (log[0], log[-1])
     times = [datetime.datetime.strptime(found.group(1), "%Y-%m-%d %H:%M:%S %z") for found in (started, ended)]
-    assert times[0] <= times[1] <= datetime.datetime.now(datetime.timezone.utc) + datetime.timedelta(seconds=1), times
-    assert log[1] == f"  hosts         {socket.gethostname()} ({ranks} rank{'s' if ranks > 1 else ''})", log[1]
+    assert (
+        times[0] <= times[1] <= datetime.datetime.now(datetime.timezone.utc) + datetime.timedelta(seconds=1)
+    ), times
+    assert log[1] == f"  hosts         {socket.gethostname()} ({ranks} rank{'s' if ranks > 1 else ''})", log[
+        1
+    ]
     assert log[2] == f"  command       {words}", log[2]
     assert re.fullmatch(r"  revision      [-A-Za-z0-9._+]+", log[3]), log[3]
 
 
 def main():
     program, scene, mpiexec = sys.argv[1:]
-    small = ["target.mesh.center=4 mm", "target.mesh.edge=4 mm", "target.plies.count=1", "time.end=2 us", "output.interval=0", "title=it's"]
+    small = [
+        "target.mesh.center=4 mm",
+        "target.mesh.edge=4 mm",
+        "target.plies.count=1",
+        "time.end=2 us",
+        "output.interval=0",
+        "title=it's",
+    ]
     options = [word for override in small for word in ("--set", override)]
-    quoted = " ".join(f"--set '{override}'" if " " in override else f"--set {override}" for override in small[:-1]) + " --set 'title=it'\\''s'"
+    quoted = (
+        " ".join(f"--set '{override}'" if " " in override else f"--set {override}" for override in small[:-1])
+        + " --set 'title=it'\\''s'"
+    )
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         log, done = run(folder, "one", program, "run", scene, *options)
@@ -47,7 +66,10 @@ def main():
         # Nothing of it is in the results.
         assert (folder / "one/history.csv").read_bytes() == (folder / "two/history.csv").read_bytes()
         for text in (b"started", b"revision", socket.gethostname().encode()):
-            assert text not in (folder / "one/results.vtkhdf").read_bytes() and text not in (folder / "one/history.csv").read_bytes(), text
+            assert (
+                text not in (folder / "one/results.vtkhdf").read_bytes()
+                and text not in (folder / "one/history.csv").read_bytes()
+            ), text
 
 
 main()

@@ -10,7 +10,16 @@ from pathlib import Path
 
 import h5py
 
-from small_run import FILES, LONG, Program, bytes_of, errors_of, processes_of, statuses_when_signalled, summary
+from small_run import (
+    FILES,
+    LONG,
+    Program,
+    bytes_of,
+    errors_of,
+    processes_of,
+    statuses_when_signalled,
+    summary,
+)
 
 
 def check_interrupted(folder, name, whole):
@@ -36,7 +45,13 @@ def main():
         whole = (folder / "whole/history.csv").read_bytes().splitlines()
 
         # One rank alone is sent it; the others agree.
-        for ranks, sent in ((1, signal.SIGTERM), (1, signal.SIGINT), (2, signal.SIGUSR1), (3, signal.SIGUSR2), (4, signal.SIGTERM)):
+        for ranks, sent in (
+            (1, signal.SIGTERM),
+            (1, signal.SIGINT),
+            (2, signal.SIGUSR1),
+            (3, signal.SIGUSR2),
+            (4, signal.SIGTERM),
+        ):
             output = folder / f"{sent.name} on {ranks}"
             process = program.start(output.name, ranks=ranks)
             time.sleep(0.2)
@@ -46,7 +61,9 @@ def main():
             text = process.communicate(timeout=60)[1]
             assert process.returncode == 4, (ranks, sent, process.returncode, text)
             (error,) = errors_of(text)
-            assert error.startswith(f"{sent.name} received: a checkpoint was written; to go on: weavefront run "), error
+            assert error.startswith(
+                f"{sent.name} received: a checkpoint was written; to go on: weavefront run "
+            ), error
             check_interrupted(output, sent.name, whole)
 
         # mpirun passes this one on to all ranks and waits for them.
@@ -59,13 +76,17 @@ def main():
 
         # Before the first step nothing of an earlier run is touched.
         before = bytes_of(folder / "out")
-        long_setup = program.command("out", ["target.mesh={center: 0.1 mm, edge: 0.1 mm}"], ranks=2, options=["--overwrite"])
+        long_setup = program.command(
+            "out", ["target.mesh={center: 0.1 mm, edge: 0.1 mm}"], ranks=2, options=["--overwrite"]
+        )
         process = subprocess.Popen(long_setup, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         while not (folder / "out/run.lock").exists():
             time.sleep(0.01)
         os.kill(processes_of(process)[0], signal.SIGTERM)
         text = process.communicate(timeout=60)[1]
-        assert process.returncode == 4 and errors_of(text) == ["SIGTERM received before the first step: nothing was written"], text
+        assert process.returncode == 4 and errors_of(text) == [
+            "SIGTERM received before the first step: nothing was written"
+        ], text
         assert bytes_of(folder / "out") == before
 
         # A second interrupt is not waited for.
@@ -80,7 +101,9 @@ def main():
         # A reader of the output that goes away, as head does.
         reading, writing = os.pipe()
         os.close(reading)
-        done = subprocess.run(program.command("unread"), stdout=writing, stderr=subprocess.PIPE, text=True, timeout=60)
+        done = subprocess.run(
+            program.command("unread"), stdout=writing, stderr=subprocess.PIPE, text=True, timeout=60
+        )
         assert done.returncode == 0 and set(bytes_of(folder / "unread")) == FILES, done
         assert "Finished at" in (folder / "unread/run.log").read_text()
 

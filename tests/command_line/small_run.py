@@ -26,7 +26,12 @@ time: {end: 5 us}
 output: {interval: 1 us, history: 0.5 us}
 """
 # Steps for some seconds.
-LONG = ("target.mesh={center: 0.5 mm, edge: 1 mm}", "time.end=2 ms", "output.interval=20 us", "output.history=5 us")
+LONG = (
+    "target.mesh={center: 0.5 mm, edge: 1 mm}",
+    "time.end=2 ms",
+    "output.interval=20 us",
+    "output.history=5 us",
+)
 FILES = {"history.csv", "results.vtkhdf", "summary.json", "run.log"}
 
 
@@ -43,17 +48,37 @@ class Program:
 
     def command(self, output, overrides=(), ranks=1, options=()):
         launcher = [self.mpiexec, "-n", str(ranks)] if ranks > 1 else []
-        return [*launcher, self.weavefront, "run", str(self.folder / "scene.yaml"), "--output", str(self.folder / output), *sets(overrides), *options]
+        return [
+            *launcher,
+            self.weavefront,
+            "run",
+            str(self.folder / "scene.yaml"),
+            "--output",
+            str(self.folder / output),
+            *sets(overrides),
+            *options,
+        ]
 
     def run(self, output, overrides=(), ranks=1, options=(), status=0, **keywords):
         """Runs to the end; AssertionError unless it leaves with `status`. Returns its error lines."""
-        done = subprocess.run(self.command(output, overrides, ranks, options), capture_output=True, text=True, timeout=100, **keywords)
+        done = subprocess.run(
+            self.command(output, overrides, ranks, options),
+            capture_output=True,
+            text=True,
+            timeout=100,
+            **keywords,
+        )
         assert done.returncode == status, (done.args, done.returncode, done.stdout, done.stderr)
         return errors_of(done.stderr)
 
     def start(self, output, overrides=LONG, ranks=1, options=()):
         """Starts a run and returns when the last of its files has its name."""
-        process = subprocess.Popen(self.command(output, overrides, ranks, options), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen(
+            self.command(output, overrides, ranks, options),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         while not (self.folder / output / "results.vtkhdf").exists():
             assert process.poll() is None, process.communicate()
             time.sleep(0.01)
@@ -75,7 +100,11 @@ def variable_of_launcher(mpiexec, name, value):
 
 
 def errors_of(text):
-    return [line.removeprefix("weavefront: error: ") for line in text.splitlines() if line.startswith("weavefront: error: ")]
+    return [
+        line.removeprefix("weavefront: error: ")
+        for line in text.splitlines()
+        if line.startswith("weavefront: error: ")
+    ]
 
 
 def bytes_of(folder):

@@ -19,7 +19,9 @@ DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "examples").rglob("README.md"))
 def call(*command, status=0):
     """Runs a command; AssertionError unless it leaves with `status`. Returns its standard output."""
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
-    assert done.returncode == status, f"{command}: status {done.returncode}, expected {status}\n{done.stdout}{done.stderr}"
+    assert (
+        done.returncode == status
+    ), f"{command}: status {done.returncode}, expected {status}\n{done.stdout}{done.stderr}"
     return done.stdout
 
 
@@ -44,9 +46,15 @@ class Scenes(unittest.TestCase):
                     with tempfile.TemporaryDirectory() as folder:
                         call(WEAVEFRONT, "yarn", scene, "--rates", "1", "--out", Path(folder) / "curve.csv")
                     continue
-                warnings = [line for line in call(WEAVEFRONT, "check", scene).splitlines() if line.startswith("warning: ")]
+                warnings = [
+                    line
+                    for line in call(WEAVEFRONT, "check", scene).splitlines()
+                    if line.startswith("warning: ")
+                ]
                 # The paper's crimp stands for slip in the clamps, too. A strip is hit at a constant speed: by a projectile of no material.
-                expected = ["warning: fabric kevlar129: wit"] if "thickness: 0.820 mm" in scene.read_text() else []
+                expected = (
+                    ["warning: fabric kevlar129: wit"] if "thickness: 0.820 mm" in scene.read_text() else []
+                )
                 expected += ["warning: the projectile weighs"] if scene.parent.name == "yarn_impact" else []
                 self.assertEqual([line[:30] for line in warnings], expected)
 
@@ -54,7 +62,9 @@ class Scenes(unittest.TestCase):
         call(WEAVEFRONT, "check", SCENES[0], "--set", "target.mesh.centre=1 mm", status=2)
 
     def test_the_scene_in_the_readme_is_accepted(self):
-        blocks = [block for block in code_blocks((ROOT / "README.md").read_text(), "yaml") if "fabrics:" in block]
+        blocks = [
+            block for block in code_blocks((ROOT / "README.md").read_text(), "yaml") if "fabrics:" in block
+        ]
         self.assertEqual(len(blocks), 1)
         with tempfile.TemporaryDirectory() as folder:
             scene = Path(folder) / "scene.yaml"
@@ -107,9 +117,21 @@ class Collections(unittest.TestCase):
                     count = len(list(csv.DictReader(file)))
                 # No program is there to compute with.
                 said = call(sys.executable, "-B", folder / script, "--weavefront", "/nonexistent")
-                self.assertEqual(said, f"{count} of {count} variants are in {folder / table}; to compute one anew, take its line out, "
-                                       "or give another file with --csv\n")
-                call(sys.executable, "-B", folder / script, "--weavefront", "/nonexistent", "--only", "nothing of this name", status=1)
+                self.assertEqual(
+                    said,
+                    f"{count} of {count} variants are in {folder / table}; to compute one anew, take its line out, "
+                    "or give another file with --csv\n",
+                )
+                call(
+                    sys.executable,
+                    "-B",
+                    folder / script,
+                    "--weavefront",
+                    "/nonexistent",
+                    "--only",
+                    "nothing of this name",
+                    status=1,
+                )
 
 
 class CoarseImpact(unittest.TestCase):
@@ -119,7 +141,18 @@ class CoarseImpact(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             output = Path(folder) / "run"
             scene = ROOT / "examples/kevlar129_8ply/impact_428.yaml"
-            call(MPIEXEC, "-n", "2", WEAVEFRONT, "run", scene, "--set", "target.mesh.center=2 mm", "--output", output)
+            call(
+                MPIEXEC,
+                "-n",
+                "2",
+                WEAVEFRONT,
+                "run",
+                scene,
+                "--set",
+                "target.mesh.center=2 mm",
+                "--output",
+                output,
+            )
             self.check_files(output)
             pictures = call(PLOT, output).split()
             for name in ("history", "energies", "section"):

@@ -9,10 +9,22 @@ import tempfile
 
 E1, KA, TAU = 96e9, 192e9, 35e6 / 384e9
 RATES = [0.001, 10, 30, 50, 70, 100, 150, 200, 300, 500]
-FAILURES = {0.001: (3.300, 20), 10: (3.391, 20), 30: (3.573, 20), 50: (3.756, 20), 70: (3.937, 20), 100: (4.202, 20), 150: (4.101, 19),
-            200: (3.803, 19), 300: (3.442, 19), 500: (3.134, 19)}
-CELL_COLUMNS = ("time,lambda_fill,lambda_warp,theta,h_fill,strain_fill,strain_warp,stress_fill,stress_warp,contact_factor,stress_xx,stress_yy,"
-                "stress_xy,broken_fill,broken_warp").split(",")
+FAILURES = {
+    0.001: (3.300, 20),
+    10: (3.391, 20),
+    30: (3.573, 20),
+    50: (3.756, 20),
+    70: (3.937, 20),
+    100: (4.202, 20),
+    150: (4.101, 19),
+    200: (3.803, 19),
+    300: (3.442, 19),
+    500: (3.134, 19),
+}
+CELL_COLUMNS = (
+    "time,lambda_fill,lambda_warp,theta,h_fill,strain_fill,strain_warp,stress_fill,stress_warp,contact_factor,stress_xx,stress_yy,"
+    "stress_xy,broken_fill,broken_warp"
+).split(",")
 
 
 def call(program, *arguments):
@@ -50,7 +62,11 @@ def check_cell(program, scene):
         for i in range(1, 101):  # equibiaxial stretch in a turning frame
             stretch, turn = 1 + 3e-4 * i, angle * i
             c, s = stretch * math.cos(turn), stretch * math.sin(turn)
-            file.write(f"{1e-3 + 1e-6 * i!r},{c!r}, {-s!r},{s!r},+{c!r}\n" if c >= 0 else f"{1e-3 + 1e-6 * i!r},{c!r},{-s!r},{s!r},{c!r}\n")
+            file.write(
+                f"{1e-3 + 1e-6 * i!r},{c!r}, {-s!r},{s!r},+{c!r}\n"
+                if c >= 0
+                else f"{1e-3 + 1e-6 * i!r},{c!r},{-s!r},{s!r},{c!r}\n"
+            )
     result = call(program, "cell", scene, "--path", "path.csv", "--out", "cell.csv", "--fabric", "kevlar129")
     assert result.returncode == 0, result
     columns, rows = rows_of("cell.csv")
@@ -65,34 +81,71 @@ def check_cell(program, scene):
     # Cauchy stress: n/lambda^2 of either yarn over t_e
     slope = 1.03 * half / math.hypot(1.03 * half, height)
     stress = last["stress_fill"] * 6.48e-8 * slope / 0.909e-3 / 1.03 / (0.204 / 1440)
-    assert abs(last["stress_xx"] / stress - 1) < 1e-12 and abs(last["stress_yy"] / stress - 1) < 1e-12, (last, stress)
+    assert abs(last["stress_xx"] / stress - 1) < 1e-12 and abs(last["stress_yy"] / stress - 1) < 1e-12, (
+        last,
+        stress,
+    )
     assert abs(last["stress_xy"]) < 1e-6 * stress
     assert last["broken_fill"] == 0 and last["contact_factor"] == 0
 
 
 REFUSALS = [
-    ("time,F1l,F12,F21\n", ["1:6: found column 'F1l', allowed the columns time,F11,F12,F21,F22, in this order, did you mean 'F11'?",
-                            "1:17: found no column 'F22'"]),
+    (
+        "time,F1l,F12,F21\n",
+        [
+            "1:6: found column 'F1l', allowed the columns time,F11,F12,F21,F22, in this order, did you mean 'F11'?",
+            "1:17: found no column 'F22'",
+        ],
+    ),
     ("time,F11,F12,F21,F22\n", ["1:1: found no row"]),
     ("", ["1:1: found nothing"]),
     ("time,F11,F12,F21,F22\n0,1,0.1,0,1\n", ["2:3: found a deformed first row"]),
-    ("time,F11,F12,F21,F22\n0,1,0,0,1\n1, 1,x,0,1\n2,1,0,1\n0,1,0,0,1\n3,-1,0,0,1\n4,nan,0,0,1\n",
-     ["3:6: F12: found 'x', allowed a finite number", "4:1: found 4 fields, allowed 5", "5:1: time: found 0, allowed more than the 0",
-      "6:3: found F with determinant -1", "7:3: F11: found 'nan'"]),
-    ("time,F11,F12,F21,F22\n0,1,0,0,1\n1,1e300,0,0,1\n2,1,0,0,-inf\n3,1,0,0,1e-9\n4,1,0x1,0,1\n",
-     ["3:3: found a stretch of 1e+300 of the fill yarns, allowed one from 0.01 to 100", "4:9: F22: found '-inf', allowed a finite number",
-      "5:5: found a stretch of 1e-09 of the warp yarns, allowed one from 0.01 to 100", "6:5: F12: found '0x1', allowed a finite number"]),
-    ("time,F11,F12,F21,F22\n0,1,0,0,1\n1,1,0,0,1,\n", ["3:1: found 6 fields, allowed 5: time,F11,F12,F21,F22"]),
+    (
+        "time,F11,F12,F21,F22\n0,1,0,0,1\n1, 1,x,0,1\n2,1,0,1\n0,1,0,0,1\n3,-1,0,0,1\n4,nan,0,0,1\n",
+        [
+            "3:6: F12: found 'x', allowed a finite number",
+            "4:1: found 4 fields, allowed 5",
+            "5:1: time: found 0, allowed more than the 0",
+            "6:3: found F with determinant -1",
+            "7:3: F11: found 'nan'",
+        ],
+    ),
+    (
+        "time,F11,F12,F21,F22\n0,1,0,0,1\n1,1e300,0,0,1\n2,1,0,0,-inf\n3,1,0,0,1e-9\n4,1,0x1,0,1\n",
+        [
+            "3:3: found a stretch of 1e+300 of the fill yarns, allowed one from 0.01 to 100",
+            "4:9: F22: found '-inf', allowed a finite number",
+            "5:5: found a stretch of 1e-09 of the warp yarns, allowed one from 0.01 to 100",
+            "6:5: F12: found '0x1', allowed a finite number",
+        ],
+    ),
+    (
+        "time,F11,F12,F21,F22\n0,1,0,0,1\n1,1,0,0,1,\n",
+        ["3:1: found 6 fields, allowed 5: time,F11,F12,F21,F22"],
+    ),
 ]
 
 
 def check_far_apart(program, scene):
     """A curve has its hundred rows also where the yarn breaks long before both strains have been reached."""
-    result = call(program, "yarn", scene, "--rates", "1e-3", "--out", "yarn.csv", "--set", "fabrics.kevlar129.failure.static_strain=0.1 %",
-                  "--set", "fabrics.kevlar129.failure.hooke_strain=100 %")
+    result = call(
+        program,
+        "yarn",
+        scene,
+        "--rates",
+        "1e-3",
+        "--out",
+        "yarn.csv",
+        "--set",
+        "fabrics.kevlar129.failure.static_strain=0.1 %",
+        "--set",
+        "fabrics.kevlar129.failure.hooke_strain=100 %",
+    )
     assert result.returncode == 0, result
     rows = rows_of("yarn.csv")[1]
-    assert 100 < len(rows) < 402 and rows[-1]["failure"] == 20 and abs(rows[-1]["strain"] / 1e-3 - 1) < 1e-3, (len(rows), rows[-1])
+    assert (
+        100 < len(rows) < 402 and rows[-1]["failure"] == 20 and abs(rows[-1]["strain"] / 1e-3 - 1) < 1e-3
+    ), (len(rows), rows[-1])
 
 
 def check_excel(program, scene):
@@ -112,13 +165,30 @@ def check_refusals(program, scene):
         assert result.returncode == 2 and len(lines) == len(findings), (text, result)
         for line, finding in zip(lines, findings):
             assert f"bad.csv:{finding}" in line, (line, finding)
-    for arguments, finding in [(["--rates", "0,-1"], "--rates: found '0', allowed positive"), (["--rates", "ten"], ""),
-                               (["--rates", "5", "--fabric", "kevlar128"], "did you mean 'kevlar129'?")]:
+    for arguments, finding in [
+        (["--rates", "0,-1"], "--rates: found '0', allowed positive"),
+        (["--rates", "ten"], ""),
+        (["--rates", "5", "--fabric", "kevlar128"], "did you mean 'kevlar129'?"),
+    ]:
         result = call(program, "yarn", scene, "--out", "never.csv", *arguments)
         assert result.returncode == 2 and finding in result.stderr, (arguments, result)
     # They took 2^31 steps and more, which came out as a curve of one row.
-    result = call(program, "yarn", scene, "--rates", "5", "--out", "never.csv", "--set", "fabrics.kevlar129.failure.hooke_strain=5e-7")
-    assert result.returncode == 2 and "found failure strains (static_strain, hooke_strain) of 0.033 and 5e-07, which take" in result.stderr, result
+    result = call(
+        program,
+        "yarn",
+        scene,
+        "--rates",
+        "5",
+        "--out",
+        "never.csv",
+        "--set",
+        "fabrics.kevlar129.failure.hooke_strain=5e-7",
+    )
+    assert (
+        result.returncode == 2
+        and "found failure strains (static_strain, hooke_strain) of 0.033 and 5e-07, which take"
+        in result.stderr
+    ), result
     result = call(program, "yarn", scene, "--rates", "5", "--out", "no/such/folder.csv")
     assert result.returncode == 3, result
     assert sorted(os.listdir()) == ["bad.csv", "cell.csv", "path.csv", "yarn.csv"], os.listdir()

@@ -37,7 +37,10 @@ def projectile(k):
     return {
         "points": SURFACE + [0, 0.25, -k],
         "quads": SURFACE_QUADS,
-        "point_data": {"displacement": np.tile([1.0 * k, 2.0 * k, 3.0 * k], (points, 1)), "velocity": np.zeros((points, 3))},
+        "point_data": {
+            "displacement": np.tile([1.0 * k, 2.0 * k, 3.0 * k], (points, 1)),
+            "velocity": np.zeros((points, 3)),
+        },
         "cell_data": {
             "strain_fill": np.zeros(cells),
             "broken_fill": np.zeros(cells, np.int8),

@@ -37,7 +37,9 @@ def main():
     assert drawn[0][-1] == "a line in between", drawn[0]
     assert all(bar.startswith("[") for bar in drawn[0][1:-2]), drawn[0]
     assert "step 50 " in drawn[1][1], "the bar does not come back below the line"
-    assert drawn[1][-1] == "[####################] 100 %  100.00 of 100.00 us  step 100  projectile 212.4 m/s", drawn[1]
+    assert (
+        drawn[1][-1] == "[####################] 100 %  100.00 of 100.00 us  step 100  projectile 212.4 m/s"
+    ), drawn[1]
     assert drawn[1][-2].endswith("projectile 212.4 m/s  1 s left"), drawn[1][-2]
 
 

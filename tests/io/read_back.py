@@ -13,7 +13,17 @@ import model
 
 def write(writer, mpiexec, ranks, path, frames, max_frames, projectile, cut):
     """Runs the writer."""
-    command = [mpiexec, "-n", str(ranks), writer, str(path), str(frames), str(max_frames), str(projectile), *cut]
+    command = [
+        mpiexec,
+        "-n",
+        str(ranks),
+        writer,
+        str(path),
+        str(frames),
+        str(max_frames),
+        str(projectile),
+        *cut,
+    ]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
 
 
@@ -29,8 +39,20 @@ def main():
     os.environ["HDF5_USE_FILE_LOCKING"] = "FALSE"
     with tempfile.TemporaryDirectory() as folder:
         # More frames than one, none, a run that stopped before its last frame, files that are cut and one that grows.
-        for frames, max_frames, projectile, *cut in [(4, 4, 1), (4, 4, 0), (0, 3, 1), (1, 3, 1), (2, 5, 1), (0, 3, 1, "cut"), (2, 5, 0, "cut"), (9, 2, 1)]:
-            files = [Path(folder) / f"{frames}-{max_frames}-{projectile}-{ranks}{''.join(cut)}.vtkhdf" for ranks in range(1, 5)]
+        for frames, max_frames, projectile, *cut in [
+            (4, 4, 1),
+            (4, 4, 0),
+            (0, 3, 1),
+            (1, 3, 1),
+            (2, 5, 1),
+            (0, 3, 1, "cut"),
+            (2, 5, 0, "cut"),
+            (9, 2, 1),
+        ]:
+            files = [
+                Path(folder) / f"{frames}-{max_frames}-{projectile}-{ranks}{''.join(cut)}.vtkhdf"
+                for ranks in range(1, 5)
+            ]
             for ranks, path in enumerate(files, start=1):
                 path.write_text("an older file, to be replaced")
                 write(writer, mpiexec, ranks, path, frames, max_frames, projectile, cut)

@@ -44,13 +44,24 @@ def main():
             ranks = 2 if kill % 3 == 2 else 1
             # Every other writer has too little room at first, and makes more again and again.
             room = FRAMES if kill % 2 == 0 else 1
-            command = ([mpiexec, "-n", str(ranks)] if ranks > 1 else []) + [writer, str(path), str(FRAMES), str(room), "1"]
+            command = ([mpiexec, "-n", str(ranks)] if ranks > 1 else []) + [
+                writer,
+                str(path),
+                str(FRAMES),
+                str(room),
+                "1",
+            ]
             # Every fourth kill falls into the creation of the file, over one that a killed run left.
             early = kill % 4 == 3
             if not early:
                 path.unlink(missing_ok=True)
             path.with_suffix(".vtkhdf.new").unlink(missing_ok=True)
-            kill_writer(command, ranks, path, -random.uniform(0, 0.2) if early else random.uniform(0, 0.03 if room > 1 else 0.2))
+            kill_writer(
+                command,
+                ranks,
+                path,
+                -random.uniform(0, 0.2) if early else random.uniform(0, 0.03 if room > 1 else 0.2),
+            )
             if path.exists():
                 # The two numbers that publish a frame are written one right after the other: a kill may fall between them.
                 counted.append(model.check_frames(path, surplus_times=1))

@@ -13,7 +13,9 @@ class Reader:
         self.step_data = self.root["Steps"]
         assert list(self.root.attrs["Version"]) == [2, 0]
         kind = self.root.attrs.get_id("Type").get_type()
-        assert isinstance(kind, h5py.h5t.TypeStringID) and not kind.is_variable_str(), "older readers need a string of fixed length"
+        assert (
+            isinstance(kind, h5py.h5t.TypeStringID) and not kind.is_variable_str()
+        ), "older readers need a string of fixed length"
         assert self.root.attrs["Type"] == b"UnstructuredGrid"
         self.steps = int(self.step_data.attrs["NSteps"])
         # VTK copies all of Values into memory for NSteps numbers, if there are several.
@@ -29,21 +31,30 @@ class Reader:
         """(time, parts) of a step; a part is a dictionary of points, quads, point_data and cell_data."""
         steps = self.step_data
         first_part = int(steps["PartOffsets"][step])
-        starts = [int(np.ravel(steps[name][step])[0]) for name in ("PointOffsets", "CellOffsets", "ConnectivityIdOffsets")]
+        starts = [
+            int(np.ravel(steps[name][step])[0])
+            for name in ("PointOffsets", "CellOffsets", "ConnectivityIdOffsets")
+        ]
         counts = range(first_part, first_part + int(steps["NumberOfParts"][step]))
-        points, cells, ids = (self.root[name][counts.start : counts.stop]
-                              for name in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"))
+        points, cells, ids = (
+            self.root[name][counts.start : counts.stop]
+            for name in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds")
+        )
         parts = []
         for part in range(len(counts)):
             before = [int(sum(values[:part])) for values in (points, cells, ids)]
             # Each part before this one has one entry of Offsets more than it has cells.
             offset_row = starts[1] + first_part + part + before[1]
-            parts.append({
-                "points": self.rows("Points", starts[0] + before[0], points[part]),
-                "quads": self.quads(offset_row, cells[part], starts[2] + before[2], ids[part], starts[1] + before[1]),
-                "point_data": self.arrays("Point", step, before[0], points[part]),
-                "cell_data": self.arrays("Cell", step, before[1], cells[part]),
-            })
+            parts.append(
+                {
+                    "points": self.rows("Points", starts[0] + before[0], points[part]),
+                    "quads": self.quads(
+                        offset_row, cells[part], starts[2] + before[2], ids[part], starts[1] + before[1]
+                    ),
+                    "point_data": self.arrays("Point", step, before[0], points[part]),
+                    "cell_data": self.arrays("Cell", step, before[1], cells[part]),
+                }
+            )
         return float(steps["Values"][step]), parts
 
     def rows(self, name, first, count):
@@ -65,4 +76,6 @@ class Reader:
         group = self.root[f"{kind}Data"]
         offsets = self.step_data[f"{kind}DataOffsets"]
         assert set(group) == set(offsets), "arrays without offsets crash ParaView"
-        return {name: self.rows(f"{kind}Data/{name}", int(offsets[name][step]) + before, count) for name in group}
+        return {
+            name: self.rows(f"{kind}Data/{name}", int(offsets[name][step]) + before, count) for name in group
+        }

@@ -13,13 +13,19 @@ PACKAGES = [str(package) for package in (PLOT.parent, PLOT.parent.parent / "shar
 sys.path[:0] = PACKAGES
 sys.dont_write_bytecode = True
 
-ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in ("HDF5_USE_FILE_LOCKING", "PYTHONUNBUFFERED")}
+ENVIRONMENT = {
+    name: value
+    for name, value in os.environ.items()
+    if name not in ("HDF5_USE_FILE_LOCKING", "PYTHONUNBUFFERED")
+}
 
 
 def plot(*arguments, **keywords):
     """Runs the program."""
     keywords = {"stdout": subprocess.PIPE, "env": ENVIRONMENT, **keywords}
-    return subprocess.run([PLOT, *map(str, arguments)], stderr=subprocess.PIPE, text=True, check=False, **keywords)
+    return subprocess.run(
+        [PLOT, *map(str, arguments)], stderr=subprocess.PIPE, text=True, check=False, **keywords
+    )
 
 
 class OnFolder(unittest.TestCase):
@@ -46,7 +52,9 @@ class OnFolder(unittest.TestCase):
     def text_of(self, run, picture, *arguments):
         """What is written in a picture of a run, a line for each text."""
         with tempfile.TemporaryDirectory(dir=self.folder) as output:
-            result = plot(run, "--only", picture.split("_")[0], "--format", "svg", "--output", output, *arguments)
+            result = plot(
+                run, "--only", picture.split("_")[0], "--format", "svg", "--output", output, *arguments
+            )
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             text = (Path(output) / f"{picture}.svg").read_text(encoding="utf-8")
             return html.unescape("\n".join(re.findall(r"<text [^>]*>([^<]*)</text>", text)))

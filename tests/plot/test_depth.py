@@ -19,7 +19,9 @@ def nearest_by_hand(corners, width, height):
     face, depth = np.full((height, width), -1), np.full((height, width), -np.inf)
     y, x = np.mgrid[:height, :width]
     for number, triangle in enumerate(corners):
-        parts = np.linalg.solve(np.vstack([triangle[:, :2].T, np.ones(3)]), np.stack([x.ravel(), y.ravel(), np.ones(x.size)]))
+        parts = np.linalg.solve(
+            np.vstack([triangle[:, :2].T, np.ones(3)]), np.stack([x.ravel(), y.ravel(), np.ones(x.size)])
+        )
         here = np.all(parts >= -1e-9, axis=0).reshape(x.shape)
         value = (triangle[:, 2] @ parts).reshape(x.shape)
         nearer = here & (value > depth)
@@ -32,21 +34,27 @@ def sheet(height, count, slope, colour):
     line = np.linspace(-10, 10, count + 1)
     x, y = np.meshgrid(line, line, indexing="ij")
     points = np.stack([x, y, height + slope * x], axis=-1)
-    corners = np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=2).reshape(-1, 4, 3)
+    corners = np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=2).reshape(
+        -1, 4, 3
+    )
     return Faces.whole(corners, np.tile(colour, (len(corners), 1)))
 
 
 class Depth(unittest.TestCase):
     def test_each_pixel_shows_the_nearest_of_random_triangles(self):
         random = np.random.default_rng(1)
-        large, small = random.uniform(-10, 50, (60, 3, 3)), random.uniform(0, 40, (60, 1, 3)) + random.uniform(-3, 3, (60, 3, 3))
+        large, small = random.uniform(-10, 50, (60, 3, 3)), random.uniform(
+            0, 40, (60, 1, 3)
+        ) + random.uniform(-3, 3, (60, 3, 3))
         corners = np.concatenate([large, small])
         face, depth = nearest_by_hand(corners, 40, 30)
         for chunk in (raster.CHUNK, 100):  # pixels looked at together
             with self.subTest(chunk=chunk), patch.object(raster, "CHUNK", chunk):
                 picture = raster.Raster(40, 30)
                 picture.draw(corners, np.arange(len(corners)))
-                self.assertLess(np.count_nonzero(picture.face.reshape(30, 40) != face), 3)  # where an edge meets the pixel
+                self.assertLess(
+                    np.count_nonzero(picture.face.reshape(30, 40) != face), 3
+                )  # where an edge meets the pixel
                 shown = picture.depth.reshape(30, 40)
                 np.testing.assert_allclose(shown[face >= 0], depth[face >= 0], atol=1e-4)  # of float32
 

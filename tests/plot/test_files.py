@@ -40,14 +40,22 @@ class Files(OnFolder):
         self.refused(3, "history.png: is a device or a pipe", *self.call)
         self.assertTrue(self.picture.is_fifo())
         (self.output / "energies.png").mkdir()
-        self.refused(3, "energies.png: is a folder", self.run_folder, "--only", "energies", "--output", self.output)
-        self.refused(3, "history.csv: File exists", self.run_folder, "--output", self.run_folder / "history.csv")
+        self.refused(
+            3, "energies.png: is a folder", self.run_folder, "--only", "energies", "--output", self.output
+        )
+        self.refused(
+            3, "history.csv: File exists", self.run_folder, "--output", self.run_folder / "history.csv"
+        )
 
     def test_a_full_disk_leaves_what_was_there(self):
         def no_more_than(size):
             return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
-        for picture, name, more in (("history", "history.png", ()), ("deformed", "deformed.gif", ("--animate", "gif")),
-                                    ("contour", "contour_100us.pdf", ("--format", "pdf"))):
+
+        for picture, name, more in (
+            ("history", "history.png", ()),
+            ("deformed", "deformed.gif", ("--animate", "gif")),
+            ("contour", "contour_100us.pdf", ("--format", "pdf")),
+        ):
             with self.subTest(picture=picture):
                 (self.output / name).write_text("earlier", encoding="utf-8")
                 call = (self.run_folder, "--only", picture, *more, "--output", self.output)
@@ -66,7 +74,10 @@ class Files(OnFolder):
     def test_a_list_that_cannot_be_written_is_an_error(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
             done = plot(*self.call, stdout=full)
-        self.assertEqual((done.returncode, done.stderr), (3, "weavefront-plot: error: standard output: No space left on device\n"))
+        self.assertEqual(
+            (done.returncode, done.stderr),
+            (3, "weavefront-plot: error: standard output: No space left on device\n"),
+        )
 
     def test_names_of_folders_may_be_any_bytes(self):
         name = os.fsdecode(os.fsencode(self.output) + b"/\xe4\n$x$")

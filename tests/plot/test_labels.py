@@ -27,8 +27,11 @@ def overlaps(figure):
     texts = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip()]
     shown = [text for text in texts if not hidden(text, figure)]
     boxes = [text.get_window_extent(renderer).padded(-0.5) for text in shown]
-    return [(a.get_text(), b.get_text()) for (a, box), (b, other) in combinations(zip(shown, boxes), 2)
-            if a is not b and box.overlaps(other)]
+    return [
+        (a.get_text(), b.get_text())
+        for (a, box), (b, other) in combinations(zip(shown, boxes), 2)
+        if a is not b and box.overlaps(other)
+    ]
 
 
 def hidden(text, figure):
@@ -38,7 +41,10 @@ def hidden(text, figure):
             low, high = sorted(axis.get_view_interval())
             for tick in [*axis.get_major_ticks(), *axis.get_minor_ticks()]:
                 if text in (tick.label1, tick.label2):
-                    return not low * (1 - 1e-9) - 1e-300 <= text.get_position()[index] <= high * (1 + 1e-9) or not axes.axison
+                    return (
+                        not low * (1 - 1e-9) - 1e-300 <= text.get_position()[index] <= high * (1 + 1e-9)
+                        or not axes.axison
+                    )
     return False
 
 
@@ -50,7 +56,9 @@ class Overlaps(OnFolder):
     def figure_of(self, folder):
         """The picture of a study."""
         table = read_study(folder)
-        return study.figure_of(table, [quantity for quantity in table.quantities if study.errors_of(table, quantity.name)])
+        return study.figure_of(
+            table, [quantity for quantity in table.quantities if study.errors_of(table, quantity.name)]
+        )
 
     def test_of_the_shipped_studies(self):
         for name in ("impact_mesh", "cell", "waves", "yarn_law"):
@@ -76,7 +84,9 @@ class Overlaps(OnFolder):
         study.scale(axes.xaxis, 9.0e5, 9.4e5)
         figure.canvas.draw()
         low, high = axes.get_xlim()
-        shown = [tick.label1.get_text() for tick in axes.xaxis.get_major_ticks() if low <= tick.get_loc() <= high]
+        shown = [
+            tick.label1.get_text() for tick in axes.xaxis.get_major_ticks() if low <= tick.get_loc() <= high
+        ]
         self.assertGreater(len(shown), 1)
         self.assertEqual(len(shown), len(set(shown)), shown)
         self.assertFalse(overlaps(figure))
@@ -91,7 +101,9 @@ class Overlaps(OnFolder):
                         panel.set_axis_off()
                     section.draw_key(figure, panels, np.arange(1, count + 1))
                     self.assertEqual(overlaps(figure), [])
-                    self.assertGreaterEqual(figure.axes[-1].get_position().y0, -1e-9)  # no lower than the strips
+                    self.assertGreaterEqual(
+                        figure.axes[-1].get_position().y0, -1e-9
+                    )  # no lower than the strips
 
 
 class Studies(unittest.TestCase):
@@ -104,7 +116,10 @@ class Studies(unittest.TestCase):
     def test_error_is_drawn_over_element_size_where_the_study_varies_it(self):
         sizes = {name: study.sizes_of(read_study(STUDIES / name)) for name in ("waves", "cell")}
         self.assertEqual(sizes["cell"], {})
-        self.assertEqual(sizes["waves"], {"center=1mm": 1.0, "center=0.5mm": 0.5, "center=0.25mm": 0.25, "center=0.125mm": 0.125})
+        self.assertEqual(
+            sizes["waves"],
+            {"center=1mm": 1.0, "center=0.5mm": 0.5, "center=0.25mm": 0.25, "center=0.125mm": 0.125},
+        )
 
 
 class Literal(OnFolder):
@@ -136,7 +151,10 @@ class Literal(OnFolder):
         run = self.titled("x")
         with h5py.File(run / "results.vtkhdf", "r+") as file:
             file["VTKHDF/CellData/$\\foo$"] = np.ones(file["VTKHDF/NumberOfCells"][:].sum())
-        self.assertIn("$\\foo$", self.text_of(run, "deformed_200us", "--times", "200us", "--field", "$\\foo$").splitlines())
+        self.assertIn(
+            "$\\foo$",
+            self.text_of(run, "deformed_200us", "--times", "200us", "--field", "$\\foo$").splitlines(),
+        )
 
     def test_words_of_a_study_are_drawn_as_they_stand(self):
         text = (STUDIES / "waves" / "study.json").read_text(encoding="utf-8")

@@ -93,7 +93,9 @@ class Impacts(OnRun):
         body = outline(run, 6)
         # 50 m/s over 150 us along the section, measured from the impact
         self.assertAlmostEqual(body[:, 0].mean(), 7.5, delta=0.2)
-        self.assertAlmostEqual(np.ptp(body[:, 0]), 2e3 * RADIUS, delta=2e3 * RADIUS * (1 - np.cos(np.pi / 32)))  # of 32 sides
+        self.assertAlmostEqual(
+            np.ptp(body[:, 0]), 2e3 * RADIUS, delta=2e3 * RADIUS * (1 - np.cos(np.pi / 32))
+        )  # of 32 sides
 
 
 class Deformations(OnRun):
@@ -142,9 +144,13 @@ class Deformations(OnRun):
         self.assertTrue((np.sort(flying, axis=0) > np.sort(as_others, axis=0)).all())
 
     def test_debris_does_not_set_the_scale(self):
-        flying, still = self.run_of("debris", plies=2, debris=True, count=20), self.run_of("whole", plies=2, count=20)
+        flying, still = self.run_of("debris", plies=2, debris=True, count=20), self.run_of(
+            "whole", plies=2, count=20
+        )
         frames = [Deformed(run, Fabric(run.results), [6], look()).frame for run in (flying, still)]
-        np.testing.assert_allclose(frames[0].high, frames[1].high, atol=5)  # mm; with what flies it were 36 mm higher
+        np.testing.assert_allclose(
+            frames[0].high, frames[1].high, atol=5
+        )  # mm; with what flies it were 36 mm higher
 
     def test_only_complete_frames_count(self):
         self.assertEqual(len(self.run_of("whole", plies=2, count=20).results.times), 9)

@@ -44,26 +44,38 @@ class Usage(OnRun):
         ("--view: 'nan,0' is none of", ("RUN", "--view", "nan,0")),
         ("--animate: invalid choice: 'avi'", ("RUN", "--animate", "avi")),
         ("--animate: --only leaves out deformed", ("RUN", "--animate", "gif", "--only", "history")),
-        ("--window: --only leaves out deformed and section and contour", ("RUN", "--window", "1cm", "--only", "history")),
+        (
+            "--window: --only leaves out deformed and section and contour",
+            ("RUN", "--window", "1cm", "--only", "history"),
+        ),
         ("not both", ("RUN", "--yarn", "curves.csv")),
         ("give one of RUN, --yarn and --study", ("RUN", "--study", "DIR")),
         ("--field does not go with --yarn", ("--yarn", "curves.csv", "--field", "height")),
         ("--no-debris does not go with --study", ("--study", "DIR", "--no-debris")),
         ("--output: 'y.jpg' must end in one of .png", ("--yarn", "curves.csv", "--output", "y.jpg")),
-        ("--output: 'y.png' does not end in .svg", ("--yarn", "curves.csv", "--output", "y.png", "--format", "svg")),
+        (
+            "--output: 'y.png' does not end in .svg",
+            ("--yarn", "curves.csv", "--output", "y.png", "--format", "svg"),
+        ),
         ("--output: empty", ("RUN", "--output", "")),
     )
 
     def test_is_checked_before_any_file_is_read(self):
         for part, arguments in self.CASES:
             with self.subTest(arguments=arguments):
-                self.refused(2, part, *arguments, cwd=self.folder)  # there is neither RUN nor DIR nor curves.csv
+                self.refused(
+                    2, part, *arguments, cwd=self.folder
+                )  # there is neither RUN nor DIR nor curves.csv
 
     def test_is_checked_before_anything_is_loaded(self):
-        check = ("import sys; sys.path[:0] = sys.argv[1:]; sys.argv = ['weavefront-plot', 'RUN', '--times', '30']\n"
-                 "from weavefront_plot.command import main\nassert main() == 2\n"
-                 "assert not {'numpy', 'h5py', 'matplotlib'} & set(sys.modules), 'seconds on a slow disk'")
-        done = subprocess.run([sys.executable, "-B", "-c", check, *PACKAGES], capture_output=True, text=True, check=False)
+        check = (
+            "import sys; sys.path[:0] = sys.argv[1:]; sys.argv = ['weavefront-plot', 'RUN', '--times', '30']\n"
+            "from weavefront_plot.command import main\nassert main() == 2\n"
+            "assert not {'numpy', 'h5py', 'matplotlib'} & set(sys.modules), 'seconds on a slow disk'"
+        )
+        done = subprocess.run(
+            [sys.executable, "-B", "-c", check, *PACKAGES], capture_output=True, text=True, check=False
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
 
 
@@ -91,35 +103,51 @@ class Missing(OnRun):
     def test_what_is_asked_for(self):
         self.refused(2, "no cell array 'spin'; it has ply, strain_fill", self.run_folder, "--field", "spin")
         self.refused(2, "no cell array 'joined'", self.run_folder, "--no-debris")
-        self.refused(2, "no fabric within 0.001 mm of the impact", self.run_folder, "--only", "deformed", "--window", "1um")
+        self.refused(
+            2,
+            "no fabric within 0.001 mm of the impact",
+            self.run_folder,
+            "--only",
+            "deformed",
+            "--window",
+            "1um",
+        )
 
 
 def without(name):
     """Takes an object out of results.vtkhdf."""
+
     def change(file):
         del file[name]
+
     return change
 
 
 def with_value(name, place, value):
     """Changes a value of an array."""
+
     def change(file):
         file[name][place] = value
+
     return change
 
 
 def with_array(name, **keywords):
     """Puts another array in the place of one."""
+
     def change(file):
         del file[name]
         file.create_dataset(name, **keywords)
+
     return change
 
 
 def with_frames(value):
     """Changes NSteps."""
+
     def change(file):
         file["VTKHDF/Steps"].attrs["NSteps"] = value
+
     return change
 
 
@@ -149,19 +177,37 @@ class DamagedResults(OnRun):
         ("no VTKHDF/Steps/CellDataOffsets/stress_fill", without("VTKHDF/Steps/CellDataOffsets/stress_fill")),
         ("no VTKHDF/CellData/ply", without("VTKHDF/CellData/ply")),
         ("no VTKHDF/Connectivity", without("VTKHDF/Connectivity")),
-        ("VTKHDF/Connectivity names points that part 0 has not got", with_value("VTKHDF/Connectivity", 5, 10**6)),
-        ("VTKHDF/Connectivity names points that part 0 has not got", with_value("VTKHDF/Connectivity", 5, -1)),
+        (
+            "VTKHDF/Connectivity names points that part 0 has not got",
+            with_value("VTKHDF/Connectivity", 5, 10**6),
+        ),
+        (
+            "VTKHDF/Connectivity names points that part 0 has not got",
+            with_value("VTKHDF/Connectivity", 5, -1),
+        ),
         ("cells that are neither quads nor triangles", with_value("VTKHDF/Offsets", 5, 7)),
         ("VTKHDF/NumberOfPoints is [-1, 192]", with_value("VTKHDF/NumberOfPoints", 0, -1)),
-        ("VTKHDF/PointData/displacement ends before", with_value("VTKHDF/Steps/PointDataOffsets/displacement", 1, 2**40)),
-        ("VTKHDF/Points holds values that are not finite or beyond 1e+06", with_value(POINTS, (3, 1), np.nan)),
+        (
+            "VTKHDF/PointData/displacement ends before",
+            with_value("VTKHDF/Steps/PointDataOffsets/displacement", 1, 2**40),
+        ),
+        (
+            "VTKHDF/Points holds values that are not finite or beyond 1e+06",
+            with_value(POINTS, (3, 1), np.nan),
+        ),
         ("VTKHDF/Points holds values that are not finite or beyond 1e+06", with_value(POINTS, (3, 1), 1e308)),
         ("displacement holds values that are not finite", with_value(MOVED, (3, 1), -np.inf)),
         ("VTKHDF/Steps/Values holds values that are not finite", with_value(TIMES, 1, np.nan)),
         ("VTKHDF/Steps/Values does not ascend", with_value(TIMES, 1, 0.0)),
-        ("stress_fill holds values that are not finite", with_value("VTKHDF/CellData/stress_fill", slice(None), np.nan)),
+        (
+            "stress_fill holds values that are not finite",
+            with_value("VTKHDF/CellData/stress_fill", slice(None), np.nan),
+        ),
         ("VTKHDF/Connectivity asks for 1099511627776 bytes", with_absurd_connectivity),
-        ("VTKHDF/Points is of shape (3,) and type int64, expected rows of 3 numbers", with_array(POINTS, data=[1, 2, 3])),
+        (
+            "VTKHDF/Points is of shape (3,) and type int64, expected rows of 3 numbers",
+            with_array(POINTS, data=[1, 2, 3]),
+        ),
         ("expected rows of 3 numbers", with_array(POINTS, shape=(600, 3), dtype="c16")),
         ("scene is not text", with_array("scene", shape=(2**50,), dtype="u1", chunks=(1024,))),
     )
@@ -182,7 +228,9 @@ class DamagedResults(OnRun):
             with self.subTest(name=name):
                 (self.folder / name).mkdir()
                 (self.folder / name / "results.vtkhdf").write_bytes(data)
-                self.refused(3, "results.vtkhdf: not a readable HDF5 file", self.folder / name, "--only", "deformed")
+                self.refused(
+                    3, "results.vtkhdf: not a readable HDF5 file", self.folder / name, "--only", "deformed"
+                )
 
 
 class DamagedTables(OnRun):
@@ -197,25 +245,53 @@ class DamagedTables(OnRun):
 
     def with_field(self, line, name, text):
         """A run with another text in one field."""
+
         def change(lines):
             fields = lines[line - 1].split(",")
             fields[lines[0].split(",").index(name)] = text
             lines[line - 1] = ",".join(fields)
+
         return self.history(change)
 
     def test_values_that_cannot_be_drawn_are_named_with_their_line(self):
         for value in ("nan", "inf", "-inf", "1e308"):
             with self.subTest(value=value):
                 run = self.with_field(7, "projectile_vz", value)
-                self.refused(2, f"history.csv:7: projectile_vz: {value} is not finite or beyond 1e+100", run, "--only", "history")
-        self.refused(2, "history.csv:7: time: 'soon' is not a number", self.with_field(7, "time", "soon"), "--only", "history")
-        self.refused(2, "history.csv: the times do not ascend", self.with_field(7, "time", "1"), "--only", "history")
-        self.refused(2, "history.csv:7: field larger than", self.with_field(7, "time", "1" * 200000), "--only", "history")
+                self.refused(
+                    2,
+                    f"history.csv:7: projectile_vz: {value} is not finite or beyond 1e+100",
+                    run,
+                    "--only",
+                    "history",
+                )
+        self.refused(
+            2,
+            "history.csv:7: time: 'soon' is not a number",
+            self.with_field(7, "time", "soon"),
+            "--only",
+            "history",
+        )
+        self.refused(
+            2, "history.csv: the times do not ascend", self.with_field(7, "time", "1"), "--only", "history"
+        )
+        self.refused(
+            2,
+            "history.csv:7: field larger than",
+            self.with_field(7, "time", "1" * 200000),
+            "--only",
+            "history",
+        )
 
     def test_shapes(self):
         run = self.history(lambda lines: lines.__setitem__(6, "1,2,3"))
         self.refused(2, "history.csv:7: '1,2,3' has 3 values, the header 25", run, "--only", "history")
-        self.refused(2, "no rows below the header", self.history(lambda lines: lines.__delitem__(slice(1, None))), "--only", "history")
+        self.refused(
+            2,
+            "no rows below the header",
+            self.history(lambda lines: lines.__delitem__(slice(1, None))),
+            "--only",
+            "history",
+        )
         run = self.history(lambda lines: lines.__setitem__(0, lines[0].replace("hourglass", "time")))
         self.refused(2, "two columns 'time'", run, "--only", "energies")
         run = self.history(lambda lines: lines.__setitem__(0, "time,velocity"))
@@ -226,7 +302,9 @@ class DamagedTables(OnRun):
         table.write_text("time,velocity\n0,fast\n", encoding="utf-8")
         self.refused(2, "table.csv:2: velocity: 'fast' is not a number", self.run_folder, "--measured", table)
         table.write_text("time,pressure\n0,1\n", encoding="utf-8")
-        self.refused(2, "neither a column 'displacement' nor 'velocity'", self.run_folder, "--measured", table)
+        self.refused(
+            2, "neither a column 'displacement' nor 'velocity'", self.run_folder, "--measured", table
+        )
         table.write_bytes(b"time,velocity\n0,\xff\n")
         self.refused(2, "not a text file (UTF-8)", self.run_folder, "--measured", table)
         table.write_text(YARN.format(failure=21), encoding="utf-8")
@@ -244,17 +322,33 @@ class DamagedStudies(OnFolder):
     CASES = (
         ("study.json: document: no 'variants'", lambda d: d.pop("variants")),
         ("study.json: variants: found [], allowed at least one", lambda d: d.update(variants=[])),
-        ("variants[1].wall_seconds: found \"long\", allowed a number", lambda d: d["variants"][1].update(wall_seconds="long")),
-        ("variants[1].wall_seconds: found NaN, allowed a number", lambda d: d["variants"][1].update(wall_seconds=float("nan"))),
-        ("variants[0].errors.strip_strain: found Infinity", lambda d: d["variants"][0]["errors"].update(strip_strain=float("inf"))),
+        (
+            'variants[1].wall_seconds: found "long", allowed a number',
+            lambda d: d["variants"][1].update(wall_seconds="long"),
+        ),
+        (
+            "variants[1].wall_seconds: found NaN, allowed a number",
+            lambda d: d["variants"][1].update(wall_seconds=float("nan")),
+        ),
+        (
+            "variants[0].errors.strip_strain: found Infinity",
+            lambda d: d["variants"][0]["errors"].update(strip_strain=float("inf")),
+        ),
         ("variants[0].labels: found [], allowed a list of 1", lambda d: d["variants"][0].update(labels=[])),
-        ("series[0].variants[0]: found \"gone\", allowed the name of a",
-         lambda d: d["quantities"][0]["series"][0].update(variants=["gone"])),
-        ("quantities[0].pareto.element_steps: found [], allowed a list of 4",
-         lambda d: d["quantities"][0]["pareto"].update(element_steps=[])),
+        (
+            'series[0].variants[0]: found "gone", allowed the name of a',
+            lambda d: d["quantities"][0]["series"][0].update(variants=["gone"]),
+        ),
+        (
+            "quantities[0].pareto.element_steps: found [], allowed a list of 4",
+            lambda d: d["quantities"][0]["pareto"].update(element_steps=[]),
+        ),
         ("study.json: title: found 5, allowed text", lambda d: d.update(title=5)),
         ("no variant has an error to draw", lambda d: [v.update(outcome="stopped") for v in d["variants"]]),
-        ("60 quantities of 1 series do not fit into one picture", lambda d: d.update(quantities=[d["quantities"][0]] * 60)),
+        (
+            "60 quantities of 1 series do not fit into one picture",
+            lambda d: d.update(quantities=[d["quantities"][0]] * 60),
+        ),
     )
 
     def test_name_what_is_wrong(self):
@@ -264,8 +358,11 @@ class DamagedStudies(OnFolder):
                 self.refused(2, part, "--study", self.folder)
 
     def test_that_are_no_json(self):
-        for text, part in (("{\n  no JSON", "study.json:2:3: not JSON"), ("[" * 200000, "study.json: not JSON of a study"),
-                           ("[]", "allowed a map")):
+        for text, part in (
+            ("{\n  no JSON", "study.json:2:3: not JSON"),
+            ("[" * 200000, "study.json: not JSON of a study"),
+            ("[]", "allowed a map"),
+        ):
             (self.folder / "study.json").write_text(text, encoding="utf-8")
             self.refused(2, part, "--study", self.folder)
 

@@ -29,7 +29,9 @@ def main():
         programs = [Program(build, mpiexec, Path(scratch)) for build in builds]
         for number, program in enumerate(programs):
             require_pinned(whole_run(program, f"whole{number}"))
-            programs[number - 1].run(f"two{number}", [*PERFORATION, "time.end=20 us"], 2, ["--checkpoint-every", "90 steps"])
+            programs[number - 1].run(
+                f"two{number}", [*PERFORATION, "time.end=20 us"], 2, ["--checkpoint-every", "90 steps"]
+            )
             program.run(f"two{number}", PERFORATION, 1, ["--restart", "auto"])
             require_pinned(Path(scratch) / f"two{number}")
 

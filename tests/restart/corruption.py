@@ -15,7 +15,9 @@ def damaged(content, kind, random_number):
     """The content with one bit turned, or cut, or with a stretch of zeros."""
     place = random_number.randrange(len(content))
     if kind == "bit":
-        return content[:place] + bytes([content[place] ^ 1 << random_number.randrange(8)]) + content[place + 1 :]
+        return (
+            content[:place] + bytes([content[place] ^ 1 << random_number.randrange(8)]) + content[place + 1 :]
+        )
     if kind == "cut":
         return content[:place]
     length = min(random_number.randrange(1, 5000), len(content) - place)
@@ -40,7 +42,11 @@ def main():
             kind = ("bit", "bit", "cut", "zeros")[number % 4]
             one.write_bytes(damaged(content, kind, random_number))
             (error,) = program.run("out", PERFORATION, 1 + number % 8 // 7, ["--restart", str(one)], status=2)
-            assert "--restart: no checkpoint can be used: " in error and str(one) in error, (number, kind, error)
+            assert "--restart: no checkpoint can be used: " in error and str(one) in error, (
+                number,
+                kind,
+                error,
+            )
         for path in ("missing.h5", "scene.yaml", "whole/results.vtkhdf"):
             (error,) = program.run("out", PERFORATION, 1, ["--restart", str(folder / path)], status=2)
             assert str(folder / path) in error, error
@@ -50,7 +56,10 @@ def main():
         checkpoint.write_bytes(content[:-7])
         program.run("out", PERFORATION, 2, ["--restart", "auto"])
         log = (folder / "out/run.log").read_text()
-        assert f"warning: a checkpoint is passed over: {checkpoint} " in log and "  restart       from " + str(folder / "out/checkpoint.previous.h5") in log
+        assert (
+            f"warning: a checkpoint is passed over: {checkpoint} " in log
+            and "  restart       from " + str(folder / "out/checkpoint.previous.h5") in log
+        )
         assert differences(whole, folder / "out") == []
         shutil.rmtree(folder / "out")
     print(f"{count} damaged checkpoints refused, seed {seed}")

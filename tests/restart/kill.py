@@ -26,7 +26,9 @@ def is_alive(folder):
 
 def kill(process, whom, random_number):
     pids = processes_of(process)
-    victims = {"rank": random_number.sample(pids, min(1, len(pids))), "all": pids, "mpirun": [process.pid]}[whom]
+    victims = {"rank": random_number.sample(pids, min(1, len(pids))), "all": pids, "mpirun": [process.pid]}[
+        whom
+    ]
     for pid in victims:
         try:
             os.kill(pid, signal.SIGKILL)
@@ -63,7 +65,11 @@ def killed_until_it_ends(program, output, whole, kills, seconds, random_number):
             for path in folder.iterdir():
                 path.unlink()
         else:
-            assert process.returncode in (-signal.SIGKILL, 137, 1) and not errors_of(text), (options, process.returncode, text)
+            assert process.returncode in (-signal.SIGKILL, 137, 1) and not errors_of(text), (
+                options,
+                process.returncode,
+                text,
+            )
         deadline = time.monotonic() + 20
         while is_alive(folder):
             assert time.monotonic() < deadline, "a killed run goes on"

@@ -7,7 +7,14 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "command_line"))
 
-from small_run import Program, errors_of, is_open_mpi, processes_of, statuses_when_signalled, summary  # noqa: E402, F401
+from small_run import (
+    Program,
+    errors_of,
+    is_open_mpi,
+    processes_of,
+    statuses_when_signalled,
+    summary,
+)  # noqa: E402, F401
 
 # Two plies on a frame that a sphere perforates. Yarns break, elements erode, debris flies, plies touch, the frame is touched.
 PERFORATION = (
@@ -57,9 +64,18 @@ def whole_run(program, name="whole", overrides=PERFORATION, ranks=1):
 
 def differences(one, other):
     """Names of the output files that differ in any byte."""
-    return [name for name in ("history.csv", "results.vtkhdf") if not filecmp.cmp(one / name, other / name, shallow=False)]
+    return [
+        name
+        for name in ("history.csv", "results.vtkhdf")
+        if not filecmp.cmp(one / name, other / name, shallow=False)
+    ]
 
 
 def start(program, output, overrides, ranks, options):
     """Starts a run and returns at once."""
-    return subprocess.Popen(program.command(output, overrides, ranks, options), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    return subprocess.Popen(
+        program.command(output, overrides, ranks, options),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )

@@ -23,7 +23,9 @@ def goes_on_on_any_ranks(program, whole):
         # The last checkpoint is that of some step before the end: from there again, with all that was written since.
         program.run(output, PERFORATION, first, ["--restart", "auto"])
         assert differences(whole, program.folder / output) == [], output
-        program.run(output, PERFORATION, then, ["--restart", str(program.folder / output / "checkpoint.previous.h5")])
+        program.run(
+            output, PERFORATION, then, ["--restart", str(program.folder / output / "checkpoint.previous.h5")]
+        )
         assert differences(whole, program.folder / output) == [], output
         log = (program.folder / output / "run.log").read_text()
         assert log.count("  restart       from ") == 3 and log.count("Finished at t = ") == 3, log
@@ -39,7 +41,9 @@ def all_formulations_go_on(program):
 def end_and_intervals_may_change(program, whole):
     shorter = [*PERFORATION, "time.end=30 us", "output.interval=7 us", "output.history=3 us"]
     program.run("longer", shorter, 2, STEPS)
-    program.run("longer", [*PERFORATION, "output.interval=7 us", "output.history=3 us"], 1, ["--restart", "auto"])
+    program.run(
+        "longer", [*PERFORATION, "output.interval=7 us", "output.history=3 us"], 1, ["--restart", "auto"]
+    )
     program.run("at once", [*PERFORATION, "output.interval=7 us", "output.history=3 us"])
     assert differences(program.folder / "at once", program.folder / "longer") == []
     program.run("finer", [*PERFORATION, "time.end=30 us"], 1, STEPS)
@@ -53,14 +57,30 @@ def the_past_may_not(program):
     output = program.folder / "refused"
     program.run("refused", [*PERFORATION, "time.end=20 us"], 1, STEPS)
     before = {path.name: path.read_bytes() for path in output.iterdir()}
-    errors = program.run("refused", [*PERFORATION, "projectile.mass=0.8 g", "contact.spacing=0.3 mm"], 2, ["--restart", "auto"], status=2)
+    errors = program.run(
+        "refused",
+        [*PERFORATION, "projectile.mass=0.8 g", "contact.spacing=0.3 mm"],
+        2,
+        ["--restart", "auto"],
+        status=2,
+    )
     checkpoint = output / "checkpoint.h5"
-    assert f"--restart: projectile.mass: found 0.0008 kg, allowed is that of {checkpoint}, 0.0009 kg" in errors, errors
-    assert any(error.startswith("--restart: contact.spacing: found 0.0003 m, allowed is that of ") for error in errors) and len(errors) == 2
+    assert (
+        f"--restart: projectile.mass: found 0.0008 kg, allowed is that of {checkpoint}, 0.0009 kg" in errors
+    ), errors
+    assert (
+        any(
+            error.startswith("--restart: contact.spacing: found 0.0003 m, allowed is that of ")
+            for error in errors
+        )
+        and len(errors) == 2
+    )
     (error,) = program.run("refused", [*PERFORATION, "time.end=4 us"], 1, ["--restart", "auto"], status=2)
     assert "--restart: time.end: found 4 us, allowed is a time after that of " in error, error
     (error,) = program.run("refused", PERFORATION, 1, status=2)
-    assert "checkpoint.h5" in error and "--restart auto goes on with it, --overwrite replaces it" in error, error
+    assert (
+        "checkpoint.h5" in error and "--restart auto goes on with it, --overwrite replaces it" in error
+    ), error
     assert {path.name: path.read_bytes() for path in output.iterdir()} == before
     (error,) = program.run("nothing", PERFORATION, 1, ["--restart", "auto"], status=2)
     assert "holds no run that could go on" in error and not (program.folder / "nothing").exists(), error

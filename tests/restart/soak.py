@@ -16,7 +16,13 @@ from perforation import PERFORATION, Program, differences, processes_of, start, 
 SIGNALS = (signal.SIGTERM, signal.SIGUSR1, signal.SIGUSR2)
 
 # Some 500,000 steps of few elements that touch and let go: a ball bounces on a net.
-BOUNCING = ("target.mesh={center: 5 mm, edge: 5 mm}", "time.end=24 ms", "output.interval=2 ms", "output.history=20 us", "projectile.velocity=[0, 0, 3 m/s]")
+BOUNCING = (
+    "target.mesh={center: 5 mm, edge: 5 mm}",
+    "time.end=24 ms",
+    "output.interval=2 ms",
+    "output.history=20 us",
+    "projectile.velocity=[0, 0, 3 m/s]",
+)
 
 
 def resident(pid):
@@ -73,7 +79,10 @@ def main():
         program = Program(weavefront, mpiexec, Path(scratch))
         memory = memory_of_a_long_run(program)
         assert max(memory) < 1.05 * memory[0], memory
-        print(f"memory of a long run: {memory[0] / 1e6:.1f} MB after a quarter, {max(memory) / 1e6:.1f} MB at most", flush=True)
+        print(
+            f"memory of a long run: {memory[0] / 1e6:.1f} MB after a quarter, {max(memory) / 1e6:.1f} MB at most",
+            flush=True,
+        )
         while time.monotonic() < end:
             interval, rows = random_number.choice((0.7, 2, 5)), random_number.choice((0.05, 0.2, 1))
             overrides = [*PERFORATION, f"output.interval={interval} us", f"output.history={rows} us"]

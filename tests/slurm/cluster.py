@@ -67,8 +67,14 @@ class Cluster:
         for name in ("state", "spool"):
             (folder / name).mkdir()
         self.host = socket.gethostname().split(".")[0]
-        configuration = CONFIGURATION.format(folder=folder, host=self.host, ctld_port=ctld_port, slurmd_port=slurmd_port,
-                                             mpi=mpi, first_job=random.randrange(1, 10**6))
+        configuration = CONFIGURATION.format(
+            folder=folder,
+            host=self.host,
+            ctld_port=ctld_port,
+            slurmd_port=slurmd_port,
+            mpi=mpi,
+            first_job=random.randrange(1, 10**6),
+        )
         (folder / "slurm.conf").write_text(configuration)
         (folder / "munge.key").write_bytes(os.urandom(1024))
         (folder / "munge.key").chmod(0o600)
@@ -76,9 +82,16 @@ class Cluster:
 
     def __enter__(self):
         try:
-            private = [f"--{name}={self.folder}/{file}" for name, file in
-                       (("socket", "munge.socket"), ("key-file", "munge.key"), ("log-file", "munged.log"),
-                        ("pid-file", "munged.pid"), ("seed-file", "munged.seed"))]
+            private = [
+                f"--{name}={self.folder}/{file}"
+                for name, file in (
+                    ("socket", "munge.socket"),
+                    ("key-file", "munge.key"),
+                    ("log-file", "munged.log"),
+                    ("pid-file", "munged.pid"),
+                    ("seed-file", "munged.seed"),
+                )
+            ]
             self.start("munged", "--foreground", "--force", *private)
             self.wait_for(lambda: (self.folder / "munge.socket").exists(), 10)
             self.start("slurmctld", "-D")
@@ -90,7 +103,12 @@ class Cluster:
         return self
 
     def __exit__(self, *_):
-        subprocess.run(["scancel", "--full", "--user", pwd.getpwuid(os.getuid()).pw_name], env=self.environment, capture_output=True, timeout=60)
+        subprocess.run(
+            ["scancel", "--full", "--user", pwd.getpwuid(os.getuid()).pw_name],
+            env=self.environment,
+            capture_output=True,
+            timeout=60,
+        )
         for daemon in reversed(self.daemons):
             daemon.send_signal(signal.SIGTERM)
             try:
@@ -101,16 +119,29 @@ class Cluster:
     def start(self, *command):
         with open(self.folder / f"{command[0]}.out", "w") as out:
             path = os.pathsep.join((os.environ["PATH"], "/usr/sbin"))
-            self.daemons.append(subprocess.Popen(command, env={**self.environment, "PATH": path}, stdout=out, stderr=out, start_new_session=True))
+            self.daemons.append(
+                subprocess.Popen(
+                    command,
+                    env={**self.environment, "PATH": path},
+                    stdout=out,
+                    stderr=out,
+                    start_new_session=True,
+                )
+            )
 
     def wait_for(self, condition, seconds):
         end = time.monotonic() + seconds
         while not condition():
-            assert all(daemon.poll() is None for daemon in self.daemons) and time.monotonic() < end, self.logs()
+            assert (
+                all(daemon.poll() is None for daemon in self.daemons) and time.monotonic() < end
+            ), self.logs()
             time.sleep(0.2)
 
     def logs(self):
-        return "\n".join(path.name + ":\n" + path.read_text()[-3000:] for path in sorted(self.folder.glob("*.log")) + sorted(self.folder.glob("*.out")))
+        return "\n".join(
+            path.name + ":\n" + path.read_text()[-3000:]
+            for path in sorted(self.folder.glob("*.log")) + sorted(self.folder.glob("*.out"))
+        )
 
     def call(self, *command, check=True):
         done = subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=60)

@@ -36,8 +36,16 @@ class Job:
         self.folder.mkdir()
         self.set_end(ENDLESS)
         self.begin = time.monotonic()
-        self.identifier = cluster.call("sbatch", "--parsable", f"--chdir={self.folder}", "--output=out", *options, str(script),
-                                       "scene.yaml", *sets(IMPACT))
+        self.identifier = cluster.call(
+            "sbatch",
+            "--parsable",
+            f"--chdir={self.folder}",
+            "--output=out",
+            *options,
+            str(script),
+            "scene.yaml",
+            *sets(IMPACT),
+        )
 
     def set_end(self, end):
         text = (self.program.folder / "scene.yaml").read_text()
@@ -54,7 +62,11 @@ class Job:
     def wait_for(self, condition, seconds=100):
         end = time.monotonic() + seconds
         while not condition():
-            assert time.monotonic() < end, (self.folder.name, self.cluster.call("scontrol", "show", "job", self.identifier), self.text())
+            assert time.monotonic() < end, (
+                self.folder.name,
+                self.cluster.call("scontrol", "show", "job", self.identifier),
+                self.text(),
+            )
             time.sleep(0.1)
 
     def wait_until_it_runs(self):
@@ -64,7 +76,11 @@ class Job:
         """Waits for a checkpoint that was written for `reason`, then lets the requeued job compute some output intervals more."""
         self.wait_for((self.output / "summary.json").exists)
         found = summary(self.output)
-        assert (found["status"], found["reason"]) == ("interrupted", reason), (self.folder.name, found, self.text())
+        assert (found["status"], found["reason"]) == ("interrupted", reason), (
+            self.folder.name,
+            found,
+            self.text(),
+        )
         assert (self.output / "checkpoint.h5").exists()
         self.set_end(f"{2 * round(found['time'] * 1e6 / 2) + 4} us")
         print(f"{self.folder.name}: {reason} after {time.monotonic() - self.begin:.0f} s", flush=True)
@@ -80,7 +96,9 @@ class Job:
 
 def mpirun_script(folder):
     """The job script of src/io/README.md, with the arguments of the job."""
-    (script,) = re.findall(r"```bash\n(#!/bin/bash\n.*?)```", (ROOT / "src/io/README.md").read_text(), re.DOTALL)
+    (script,) = re.findall(
+        r"```bash\n(#!/bin/bash\n.*?)```", (ROOT / "src/io/README.md").read_text(), re.DOTALL
+    )
     (folder / "mpirun.sh").write_text(script.replace("run scene.yaml", 'run "$@"'))
     return folder / "mpirun.sh"
 
@@ -103,8 +121,18 @@ def main():
         cluster.environment["PATH"] = f"{commands(folder / 'bin', weavefront, mpiexec)}:{os.environ['PATH']}"
 
         def job(name, ranks=2, signal="USR1@0", command="weavefront"):  # a signal at 0 s is none
-            return Job(cluster, program, name, ROOT / "examples/large_panel/job.sh", "runs/large_panel", "--nodes=1", "--time=1",
-                       f"--ntasks-per-node={ranks}", f"--signal={signal}", f"--export=ALL,WEAVEFRONT={command},SCRATCH=runs")
+            return Job(
+                cluster,
+                program,
+                name,
+                ROOT / "examples/large_panel/job.sh",
+                "runs/large_panel",
+                "--nodes=1",
+                "--time=1",
+                f"--ntasks-per-node={ranks}",
+                f"--signal={signal}",
+                f"--export=ALL,WEAVEFRONT={command},SCRATCH=runs",
+            )
 
         # The time limit comes near: the run sees it, or Slurm sends the signal to the ranks.
         late = job("late", command="late")
@@ -122,9 +150,13 @@ def main():
 
         going_on = [late, signalled, requeued, by_hand]
         if is_open_mpi(mpiexec):  # that of MPICH does not tell a script the status
-            by_mpirun = Job(cluster, program, "mpirun", mpirun_script(folder), "run", "--ntasks=2", "--time=5")
+            by_mpirun = Job(
+                cluster, program, "mpirun", mpirun_script(folder), "run", "--ntasks=2", "--time=5"
+            )
             by_mpirun.wait_until_it_runs()
-            cluster.call("scancel", "--batch", "--signal=USR1", by_mpirun.identifier)  # as Slurm does for --signal=B:USR1
+            cluster.call(
+                "scancel", "--batch", "--signal=USR1", by_mpirun.identifier
+            )  # as Slurm does for --signal=B:USR1
             by_mpirun.leaves("SIGUSR1 received")
             going_on.append(by_mpirun)
 
@@ -143,8 +175,15 @@ def main():
         late.leaves("the Slurm job is about to end")
         for each in going_on:
             each.finishes()
-        assert (cancelled.show("JobState"), cancelled.show("Restarts")) == ("CANCELLED", "0"), cancelled.text()
-        assert (stopped.show("JobState"), stopped.show("Restarts"), stopped.show("ExitCode")) == ("FAILED", "0", "4:0"), stopped.text()
+        assert (cancelled.show("JobState"), cancelled.show("Restarts")) == (
+            "CANCELLED",
+            "0",
+        ), cancelled.text()
+        assert (stopped.show("JobState"), stopped.show("Restarts"), stopped.show("ExitCode")) == (
+            "FAILED",
+            "0",
+            "4:0",
+        ), stopped.text()
 
 
 main()

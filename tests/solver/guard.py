@@ -39,7 +39,9 @@ def check_stop(program, scene, output, overrides, cause, ranks=1):
     print(errors)
     assert len(errors) == 1 and cause in errors[0], lines
     assert check_files(output)["reason"] in errors[0]
-    assert re.search(r"; it is worst in element \d+ \(ply \d+, at x = \S+ mm, y = \S+ mm\): .+; try .+", errors[0]), errors
+    assert re.search(
+        r"; it is worst in element \d+ \(ply \d+, at x = \S+ mm, y = \S+ mm\): .+; try .+", errors[0]
+    ), errors
     return errors[0]
 
 
@@ -50,16 +52,36 @@ def main():
         check_stop(program, scene, Path(folder) / "balance", balance, "energy balance")
         # Straight elastic yarns at 1.2 times their bound, with nothing that takes energy and contact too soft to bind the step: past the
         # limit of stability.
-        unstable = ["time.safety=1.2", "fabrics.kevlar129.thickness=0", "fabrics.kevlar129.elastic.viscosity=0", "fabrics.kevlar129.failure=",
-                    "fabrics.kevlar129.lateral=", "damping=0", "target.plies={count: 1, fabric: kevlar129}", "target.mesh={center: 2 mm}",
-                    "contact.projectile={stiffness: 1e11 N/m^3, unloading: 1}"]
+        unstable = [
+            "time.safety=1.2",
+            "fabrics.kevlar129.thickness=0",
+            "fabrics.kevlar129.elastic.viscosity=0",
+            "fabrics.kevlar129.failure=",
+            "fabrics.kevlar129.lateral=",
+            "damping=0",
+            "target.plies={count: 1, fabric: kevlar129}",
+            "target.mesh={center: 2 mm}",
+            "contact.projectile={stiffness: 1e11 N/m^3, unloading: 1}",
+        ]
         told = check_stop(program, scene, Path(folder) / "unstable", unstable, "energy balance")
-        assert re.search(r": the time step of \S+ ns is 1\.\d+ times its bound", told) and told.endswith("; try time.safety of at most 1"), told
-        assert check_stop(program, scene, Path(folder) / "on three ranks", unstable, "energy balance", 3) == told
+        assert re.search(r": the time step of \S+ ns is 1\.\d+ times its bound", told) and told.endswith(
+            "; try time.safety of at most 1"
+        ), told
+        assert (
+            check_stop(program, scene, Path(folder) / "on three ranks", unstable, "energy balance", 3) == told
+        )
         # A heavy projectile hands over a millionth of its energy, and it is of this that energy is lost.
-        check_stop(program, yarn, Path(folder) / "heavy", ["time.safety=1.1"], "that the projectile has handed over")
+        check_stop(
+            program, yarn, Path(folder) / "heavy", ["time.safety=1.1"], "that the projectile has handed over"
+        )
         # Rows at the ends of the run only.
-        check_stop(program, yarn, Path(folder) / "seldom", [*balance, "time.end=60us", "output.history=60us"], "energy balance")
+        check_stop(
+            program,
+            yarn,
+            Path(folder) / "seldom",
+            [*balance, "time.end=60us", "output.history=60us"],
+            "energy balance",
+        )
         assert runs.summary(Path(folder) / "seldom")["steps"] == 1000
 
 

@@ -12,7 +12,9 @@ def main():
     if shutil.which("objdump") is None:
         print("objdump is not installed")
         return SKIPPED
-    code = subprocess.run(["objdump", "-d", "--no-show-raw-insn", sys.argv[1]], check=True, capture_output=True, text=True).stdout
+    code = subprocess.run(
+        ["objdump", "-d", "--no-show-raw-insn", sys.argv[1]], check=True, capture_output=True, text=True
+    ).stdout
     function, fused = "", set()
     for line in code.splitlines():
         if head := re.match(r"[0-9a-f]+ <(.*)>:$", line):

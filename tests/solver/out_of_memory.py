@@ -8,13 +8,20 @@ import subprocess
 import sys
 import tempfile
 
-LITTLE = 400 << 20  # bytes of address space: enough to start the program, not for the elements of half of the target
+LITTLE = (
+    400 << 20
+)  # bytes of address space: enough to start the program, not for the elements of half of the target
 
 
 def main(program, mpiexec, scene):
     with tempfile.TemporaryDirectory() as folder:
         run = [program, "run", scene, "--output", folder, "--set", "target.mesh={center: 2 mm}"]
-        done = subprocess.run([mpiexec, "-n", "2", sys.executable, "-B", __file__, *run], capture_output=True, text=True, timeout=120)
+        done = subprocess.run(
+            [mpiexec, "-n", "2", sys.executable, "-B", __file__, *run],
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
     print(done.stdout, done.stderr)
     assert done.returncode != 0
     assert "weavefront: error: rank 1: out of memory" in done.stderr

@@ -33,8 +33,12 @@ def main():
         assert "rebalanced" in (outputs[-1] / "run.log").read_text()
         check_perforated(outputs[0])
         for output in outputs[1:]:
-            assert runs.history_bytes(output) == runs.history_bytes(outputs[0]), f"{output}: history.csv differs"
-            subprocess.run([h5diff, str(outputs[0] / "results.vtkhdf"), str(output / "results.vtkhdf")], check=True)
+            assert runs.history_bytes(output) == runs.history_bytes(
+                outputs[0]
+            ), f"{output}: history.csv differs"
+            subprocess.run(
+                [h5diff, str(outputs[0] / "results.vtkhdf"), str(output / "results.vtkhdf")], check=True
+            )
 
 
 main()

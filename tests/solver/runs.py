@@ -19,7 +19,9 @@ class Program:
         for override in overrides:
             command += ["--set", override]
         done = subprocess.run(command, capture_output=True, text=True)
-        assert done.returncode == status, f"{' '.join(command)}: status {done.returncode}, expected {status}\n{done.stdout}{done.stderr}"
+        assert (
+            done.returncode == status
+        ), f"{' '.join(command)}: status {done.returncode}, expected {status}\n{done.stdout}{done.stderr}"
         return done.stderr
 
 

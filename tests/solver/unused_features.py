@@ -8,18 +8,35 @@ import runs
 
 FABRIC = "fabrics.kevlar129"
 # A short shot at a part of the scene that nothing breaks.
-BASE = [f"{FABRIC}.failure=", "projectile.velocity=[40 m/s, 0, 200 m/s]", "time.end=15 us", "output.interval=5 us"]
+BASE = [
+    f"{FABRIC}.failure=",
+    "projectile.velocity=[40 m/s, 0, 200 m/s]",
+    "time.end=15 us",
+    "output.interval=5 us",
+]
 SAME = {
     "friction of zero": ([f"{FABRIC}.friction="], [f"{FABRIC}.friction=0"]),
-    "viscosity of zero": ([f"{FABRIC}.elastic={{static_modulus: 96 GPa, hooke_modulus: 192 GPa}}"], [f"{FABRIC}.elastic.viscosity=0"]),
+    "viscosity of zero": (
+        [f"{FABRIC}.elastic={{static_modulus: 96 GPa, hooke_modulus: 192 GPa}}"],
+        [f"{FABRIC}.elastic.viscosity=0"],
+    ),
     "damping of zero": (["damping="], ["damping=0"]),
-    "failure strains never reached": ([f"{FABRIC}.failure="], [f"{FABRIC}.failure={{static_strain: 1, hooke_strain: 1}}"]),
+    "failure strains never reached": (
+        [f"{FABRIC}.failure="],
+        [f"{FABRIC}.failure={{static_strain: 1, hooke_strain: 1}}"],
+    ),
     "limit never reached": ([], ["limits.energy_error=90 %"]),
     "frames and fields": ([], ["output.interval=0", "output.fields=[crimp]"]),
     "yarns that never pack": ([f"{FABRIC}.lateral="], []),
 }
 # And each of these does act, so that the comparison could fail.
-DIFFERENT = [f"{FABRIC}.friction=", f"{FABRIC}.lateral.locking_angle=3.1 deg", f"{FABRIC}.elastic.viscosity=0", "damping=", "contact.plies="]
+DIFFERENT = [
+    f"{FABRIC}.friction=",
+    f"{FABRIC}.lateral.locking_angle=3.1 deg",
+    f"{FABRIC}.elastic.viscosity=0",
+    "damping=",
+    "contact.plies=",
+]
 
 
 def main():

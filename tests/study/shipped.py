@@ -23,7 +23,19 @@ def main():
         (folder / "study.yaml").write_text(shorter)
         for name, study in (("cell", STUDIES / "cell/study.yaml"), ("yarn_law", folder / "study.yaml")):
             table = STUDIES / name / "study.csv"
-            command = [mpiexec, "-n", "2", weavefront, "study", study, "--output", scratch / name, "--check", table, "--no-picture"]
+            command = [
+                mpiexec,
+                "-n",
+                "2",
+                weavefront,
+                "study",
+                study,
+                "--output",
+                scratch / name,
+                "--check",
+                table,
+                "--no-picture",
+            ]
             done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
             print(done.stdout, done.stderr)
             assert done.returncode == 0, f"{name}: status {done.returncode}"

@@ -31,9 +31,15 @@ def declared_modules():
         head, _, uses = call.partition("USES")
         words = head.split()
         name = words[0]
-        folders = [words[words.index("DIRECTORY") + 1]] if "DIRECTORY" in words else [f"include/weavefront/{name}", f"src/{name}"]
+        folders = (
+            [words[words.index("DIRECTORY") + 1]]
+            if "DIRECTORY" in words
+            else [f"include/weavefront/{name}", f"src/{name}"]
+        )
         modules[name] = (folders, uses.split())
-    linked = re.search(r"target_link_libraries\(weavefront PRIVATE([^)]*)\)", (ROOT / "src/app/CMakeLists.txt").read_text())
+    linked = re.search(
+        r"target_link_libraries\(weavefront PRIVATE([^)]*)\)", (ROOT / "src/app/CMakeLists.txt").read_text()
+    )
     modules[PROGRAM] = (["src/app"], linked.group(1).split())
     return modules
 
@@ -52,7 +58,9 @@ def allowed_targets(name, modules, path=()):
 def target_of(header):
     """Target that the header belongs to; None: the standard library or the system."""
     parts = header.split("/")
-    return f"weavefront::{parts[1]}" if parts[0] == "weavefront" and len(parts) > 2 else LIBRARIES.get(parts[0])
+    return (
+        f"weavefront::{parts[1]}" if parts[0] == "weavefront" and len(parts) > 2 else LIBRARIES.get(parts[0])
+    )
 
 
 def defects_of(path, allowed):

@@ -9,7 +9,11 @@ LIMIT = 500
 
 def main():
     lengths = {path: len(path.read_text().splitlines()) for path in sources(CODE)}
-    defects = [f"{path.relative_to(ROOT)}: {length} lines, allowed are {LIMIT}" for path, length in lengths.items() if length > LIMIT]
+    defects = [
+        f"{path.relative_to(ROOT)}: {length} lines, allowed are {LIMIT}"
+        for path, length in lengths.items()
+        if length > LIMIT
+    ]
     return report(defects, len(lengths))
 
 

@@ -20,7 +20,12 @@ def draw_animation(run, fabric, frames, look, path):
     rate = int(np.clip(len(frames) / SECONDS, *RATES))
     figure, shown, caption = pictures.figure(frames[0])
     try:
-        write(path, lambda temporary: save(run, frames, pictures, (figure, shown, caption), writer_for(path, rate), temporary))
+        write(
+            path,
+            lambda temporary: save(
+                run, frames, pictures, (figure, shown, caption), writer_for(path, rate), temporary
+            ),
+        )
     except subprocess.CalledProcessError as error:
         raise FileError(f"{path}: ffmpeg ended with status {error.returncode}") from None
     finally:

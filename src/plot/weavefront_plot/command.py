@@ -10,8 +10,16 @@ from .failure import Failure, FileError, InputError
 from .option_values import ANIMATIONS, FORMATS, PICTURES, VIEWS
 
 # Options of a run, and the pictures that look at them.
-USED_BY = {"times": {"deformed", "section"}, "measured": {"history"}, "field": {"deformed"}, "window": {"deformed", "section", "contour"},
-           "view": {"deformed"}, "plies": {"deformed", "section", "contour"}, "debris": {"deformed"}, "animate": {"deformed"}}
+USED_BY = {
+    "times": {"deformed", "section"},
+    "measured": {"history"},
+    "field": {"deformed"},
+    "window": {"deformed", "section", "contour"},
+    "view": {"deformed"},
+    "plies": {"deformed", "section", "contour"},
+    "debris": {"deformed"},
+    "animate": {"deformed"},
+}
 
 LONGEST = 600  # letters of a message
 
@@ -25,33 +33,86 @@ class Parser(argparse.ArgumentParser):
 
 def parser():
     """The options."""
-    options = Parser(prog="weavefront-plot", allow_abbrev=False,
-                     description="Draws pictures from the folder of a run or a study, or yarn curves.",
-                     epilog="Exit status: 0 done, 2 bad input or usage, 3 a file cannot be read or written.")
-    options.add_argument("run", nargs="?", metavar="RUN", help="folder with results.vtkhdf and history.csv; the run may still be going on")
-    options.add_argument("--output", metavar="PATH",
-                         help="folder for the pictures (default: RUN/plots); with --yarn or --study the picture's file")
-    options.add_argument("--only", metavar="LIST", help=f"which pictures, from {','.join(PICTURES)} (default: all)")
-    options.add_argument("--times", metavar="LIST", help="times of deformed and section, such as 30us,60us; the nearest frames are "
-                         "drawn (default: four over the run with the moment of rebound)")
-    options.add_argument("--measured", metavar="CSV", help="points to lay over history: columns time and displacement or velocity (vz) "
-                         "or both, in s, m and m/s")
-    options.add_argument("--field", metavar="NAME",
-                         help="cell array that colours deformed, or height (default: stress, the greater of fill and warp)")
-    options.add_argument("--window", metavar="L", help="show what lies within L of the impact along x and along y, such as 40mm (default: "
-                         "the deflected area)")
-    options.add_argument("--plies", metavar="LIST", help="plies that deformed and section show, such as 1,3-5; contour shows the last of "
-                         "them (default: all)")
-    options.add_argument("--view", metavar="VIEW", help=f"camera of deformed: {', '.join(VIEWS)}, or its azimuth and elevation in degrees, "
-                         f"such as 30,45 (default: back-face, which is {VIEWS['back-face'][0]:g},{VIEWS['back-face'][1]:g})")
-    options.add_argument("--animate", metavar="FORMAT", choices=ANIMATIONS, help="draw deformed as one moving picture of all frames, or of "
-                         "those nearest to --times: gif, or mp4 where ffmpeg is installed")
-    options.add_argument("--no-debris", dest="debris", action="store_false", default=None,
-                         help="leave fabric that is no longer joined to a support out of deformed (default: drawn lighter)")
+    options = Parser(
+        prog="weavefront-plot",
+        allow_abbrev=False,
+        description="Draws pictures from the folder of a run or a study, or yarn curves.",
+        epilog="Exit status: 0 done, 2 bad input or usage, 3 a file cannot be read or written.",
+    )
+    options.add_argument(
+        "run",
+        nargs="?",
+        metavar="RUN",
+        help="folder with results.vtkhdf and history.csv; the run may still be going on",
+    )
+    options.add_argument(
+        "--output",
+        metavar="PATH",
+        help="folder for the pictures (default: RUN/plots); with --yarn or --study the picture's file",
+    )
+    options.add_argument(
+        "--only", metavar="LIST", help=f"which pictures, from {','.join(PICTURES)} (default: all)"
+    )
+    options.add_argument(
+        "--times",
+        metavar="LIST",
+        help="times of deformed and section, such as 30us,60us; the nearest frames are "
+        "drawn (default: four over the run with the moment of rebound)",
+    )
+    options.add_argument(
+        "--measured",
+        metavar="CSV",
+        help="points to lay over history: columns time and displacement or velocity (vz) "
+        "or both, in s, m and m/s",
+    )
+    options.add_argument(
+        "--field",
+        metavar="NAME",
+        help="cell array that colours deformed, or height (default: stress, the greater of fill and warp)",
+    )
+    options.add_argument(
+        "--window",
+        metavar="L",
+        help="show what lies within L of the impact along x and along y, such as 40mm (default: "
+        "the deflected area)",
+    )
+    options.add_argument(
+        "--plies",
+        metavar="LIST",
+        help="plies that deformed and section show, such as 1,3-5; contour shows the last of "
+        "them (default: all)",
+    )
+    options.add_argument(
+        "--view",
+        metavar="VIEW",
+        help=f"camera of deformed: {', '.join(VIEWS)}, or its azimuth and elevation in degrees, "
+        f"such as 30,45 (default: back-face, which is {VIEWS['back-face'][0]:g},{VIEWS['back-face'][1]:g})",
+    )
+    options.add_argument(
+        "--animate",
+        metavar="FORMAT",
+        choices=ANIMATIONS,
+        help="draw deformed as one moving picture of all frames, or of "
+        "those nearest to --times: gif, or mp4 where ffmpeg is installed",
+    )
+    options.add_argument(
+        "--no-debris",
+        dest="debris",
+        action="store_false",
+        default=None,
+        help="leave fabric that is no longer joined to a support out of deformed (default: drawn lighter)",
+    )
     options.add_argument("--format", choices=FORMATS, help="of the pictures (default: png)")
-    options.add_argument("--yarn", metavar="CSV", help="draw stress over strain from the output of 'weavefront yarn' instead of a run")
-    options.add_argument("--study", metavar="DIR",
-                         help="draw error against cost from the folder of 'weavefront study' instead of a run, into DIR/study.png")
+    options.add_argument(
+        "--yarn",
+        metavar="CSV",
+        help="draw stress over strain from the output of 'weavefront yarn' instead of a run",
+    )
+    options.add_argument(
+        "--study",
+        metavar="DIR",
+        help="draw error against cost from the folder of 'weavefront study' instead of a run, into DIR/study.png",
+    )
     return options
 
 
@@ -62,8 +123,13 @@ def parse(arguments):
         if text == "":
             raise InputError(f"{'RUN' if name == 'run' else '--' + name}: empty")
     check_mode(options)
-    for name, reader in (("only", option_values.pictures), ("times", option_values.times), ("window", option_values.window),
-                         ("plies", option_values.plies), ("view", option_values.view)):
+    for name, reader in (
+        ("only", option_values.pictures),
+        ("times", option_values.times),
+        ("window", option_values.window),
+        ("plies", option_values.plies),
+        ("view", option_values.view),
+    ):
         if getattr(options, name) is not None:
             setattr(options, name, reader(getattr(options, name)))
     for name in ("run", "output", "measured", "yarn", "study"):
@@ -112,7 +178,9 @@ def check_use(options):
     options.only = options.only or list(PICTURES)
     for name, pictures in USED_BY.items():
         if getattr(options, name) is not None and not pictures & set(options.only):
-            raise InputError(f"{spelled(name)}: --only leaves out {' and '.join(p for p in PICTURES if p in pictures)}")
+            raise InputError(
+                f"{spelled(name)}: --only leaves out {' and '.join(p for p in PICTURES if p in pictures)}"
+            )
     if options.animate == "mp4" and shutil.which("ffmpeg") is None:
         raise FileError("--animate: mp4 needs the program ffmpeg, which is not installed; gif does not")
     options.view = options.view or VIEWS["back-face"]
@@ -131,7 +199,9 @@ def check_file_name(options):
     if ending not in FORMATS:
         raise InputError(f"--output: '{options.output}' must end in one of .{', .'.join(FORMATS)}")
     if options.format not in (None, ending):
-        raise InputError(f"--output: '{options.output}' does not end in .{options.format}, which --format asks for")
+        raise InputError(
+            f"--output: '{options.output}' does not end in .{options.format}, which --format asks for"
+        )
 
 
 def main():
@@ -147,7 +217,9 @@ def main():
     except Failure as failure:
         return report(failure, failure.status)
     except ImportError as error:
-        return report(f"cannot load what drawing needs: {error}; see 'Dependencies' in the README", FileError.status)
+        return report(
+            f"cannot load what drawing needs: {error}; see 'Dependencies' in the README", FileError.status
+        )
     except MemoryError:
         return report(f"{subject(options)}: not enough memory to draw it", FileError.status)
     except KeyboardInterrupt:
@@ -155,7 +227,9 @@ def main():
     except OSError as error:
         return report(f"{subject(options)}: {error.strerror or error}", FileError.status)
     except Exception as error:  # a fault of ours: what a file holds is checked where it is read
-        return report(f"{subject(options)}: cannot be drawn: {type(error).__name__}: {error}", InputError.status)
+        return report(
+            f"{subject(options)}: cannot be drawn: {type(error).__name__}: {error}", InputError.status
+        )
     return 0
 
 
@@ -168,7 +242,9 @@ def report(what, status):
     """One line on standard error; returns the status."""
     try:
         line = " ".join(str(what).split())
-        print("weavefront-plot: error:", line if len(line) <= LONGEST else line[:LONGEST] + "…", file=sys.stderr)
+        print(
+            "weavefront-plot: error:", line if len(line) <= LONGEST else line[:LONGEST] + "…", file=sys.stderr
+        )
     except OSError:  # nobody reads it
         os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
     return status

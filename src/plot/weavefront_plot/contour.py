@@ -46,7 +46,9 @@ def draw_contour(run, fabric, path, step, window=None):
         draw_extents(axes, shape, x, y)
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x, mm", ylabel="y, mm")
     axes.set_aspect("equal")
-    axes.set_title(f"Ply {shape['ply']} at {microseconds(shape['time'])}", loc="left", pad=32 if shape["ratio"] else None)
+    axes.set_title(
+        f"Ply {shape['ply']} at {microseconds(shape['time'])}", loc="left", pad=32 if shape["ratio"] else None
+    )
     bar = figure.colorbar(filled, ax=axes, fraction=0.045, pad=0.03)
     bar.set_label("Deflection, mm")
     bar.outline.set_linewidth(0.5)
@@ -57,11 +59,19 @@ def draw_extents(axes, shape, x, y):
     """The two measured lengths as arrows from the impact in mm, and their ratio."""
     along, across = 1e3 * shape["extent_x"], 1e3 * shape["extent_diagonal"]
     for right, up in ((along, 0.0), (across / np.sqrt(2), across / np.sqrt(2))):
-        arrow = axes.annotate("", (x + right, y + up), (x, y),
-                              arrowprops={"arrowstyle": "-|>", "color": "white", "lw": 1.2, "shrinkA": 0, "shrinkB": 0})
+        arrow = axes.annotate(
+            "",
+            (x + right, y + up),
+            (x, y),
+            arrowprops={"arrowstyle": "-|>", "color": "white", "lw": 1.2, "shrinkA": 0, "shrinkB": 0},
+        )
         arrow.arrow_patch.set_path_effects([withStroke(linewidth=2.4, foreground=INK)])  # seen on white, too
     label = f"half height: {along:.1f} mm along x,\n{across:.1f} mm diagonally, ratio {shape['ratio']:.2f}"
     axes.plot([], [], color=CYAN, lw=1.8, label=label)
-    axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), borderaxespad=0.1, handlelength=1.3, fontsize=8)
-    announce(f"half-height contour of ply {shape['ply']} at {shape['time'] * 1e6:.3g} us: {along:.2f} mm along x, "
-             f"{across:.2f} mm along the diagonal, ratio {shape['ratio']:.3f}")
+    axes.legend(
+        loc="lower left", bbox_to_anchor=(-0.02, 1.0), borderaxespad=0.1, handlelength=1.3, fontsize=8
+    )
+    announce(
+        f"half-height contour of ply {shape['ply']} at {shape['time'] * 1e6:.3g} us: {along:.2f} mm along x, "
+        f"{across:.2f} mm along the diagonal, ratio {shape['ratio']:.3f}"
+    )

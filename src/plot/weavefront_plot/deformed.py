@@ -41,7 +41,11 @@ class Deformed:
         least = np.inf
         for step in frames:
             values = self._values(step)[fabric.joined(step)]
-            low, high, least = min(low, values.min(initial=0.0)), max(high, values.max(initial=0.0)), min(least, values.min(initial=np.inf))
+            low, high, least = (
+                min(low, values.min(initial=0.0)),
+                max(high, values.max(initial=0.0)),
+                min(least, values.min(initial=np.inf)),
+            )
         if self.field in FROM_ZERO:
             low = 0.0
         elif low >= 0 and self.field in OWN_RANGE and np.isfinite(least):
@@ -52,7 +56,9 @@ class Deformed:
         """Holds what all frames show, with room for the scale below and the caption above."""
         extents = [extent for extent in map(self.space.extent, frames) if extent is not None]
         if not extents:
-            raise InputError(f"{self.run.results.path}: no fabric within {window:g} mm of the impact in these frames")
+            raise InputError(
+                f"{self.run.results.path}: no fabric within {window:g} mm of the impact in these frames"
+            )
         low, high = np.min([e[0] for e in extents], axis=0), np.max([e[1] for e in extents], axis=0)
         margin = 0.03 * max((high - low)[0], (high - low)[1] / HIGHEST, 1e-6)
         low, high = low - margin * np.array([1.0, 2.5]), high + margin * np.array([1.0, 2.0])
@@ -65,7 +71,9 @@ class Deformed:
 
     def image(self, step):
         """The colours [height, width, 3] of one frame."""
-        return image(self.space.faces(step, self._values(step), self.norm), self.view, self.frame, self.opening)
+        return image(
+            self.space.faces(step, self._values(step), self.norm), self.view, self.frame, self.opening
+        )
 
     def figure(self, step):
         """Picture, colour bar, scale and caption of one frame; with it the two artists that change."""
@@ -81,7 +89,9 @@ class Deformed:
         strip.set_ylabel("", labelpad=5)
         literal(strip.yaxis.label, shown_as(self.field).label, 40)
         strip.tick_params(length=2.5)
-        caption = figure.text(0.02, 1 - 0.1 / height, self.run.caption(step), ha="left", va="top", fontsize=10)
+        caption = figure.text(
+            0.02, 1 - 0.1 / height, self.run.caption(step), ha="left", va="top", fontsize=10
+        )
         return figure, shown, caption
 
 

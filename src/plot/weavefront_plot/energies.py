@@ -5,10 +5,17 @@ import numpy as np
 from .style import BLUE, BROWN, FAINT, GREEN, INK, ORANGE, PINK, PURPLE, RED, save_figure
 from .text import literal
 
-LEDGER = (("kinetic_projectile", "Kinetic, projectile", BLUE), ("kinetic_fabric", "Kinetic, fabric", ORANGE),
-          ("internal", "Internal", GREEN), ("contact", "Contact", PURPLE), ("hourglass", "Hourglass", RED),
-          ("friction", "Friction", BROWN), ("damping", "Damping", PINK), ("external", "External work", FAINT),
-          ("eroded", "Hourglass, let go with broken\nyarns and eroded elements", "#4d9a9a"))
+LEDGER = (
+    ("kinetic_projectile", "Kinetic, projectile", BLUE),
+    ("kinetic_fabric", "Kinetic, fabric", ORANGE),
+    ("internal", "Internal", GREEN),
+    ("contact", "Contact", PURPLE),
+    ("hourglass", "Hourglass", RED),
+    ("friction", "Friction", BROWN),
+    ("damping", "Damping", PINK),
+    ("external", "External work", FAINT),
+    ("eroded", "Hourglass, let go with broken\nyarns and eroded elements", "#4d9a9a"),
+)
 FLOOR, CEILING = 1e-3, 1e6  # percent; smaller shares are not worth a decade of the picture
 LONGEST = 90  # letters of a title
 
@@ -17,16 +24,26 @@ def draw_energies(run, path):
     """Energies in J above; shares of the initial energy below, logarithmic, with the closure error."""
     rows = run.history
     time = rows["time"] * 1e6
-    entries = [(rows[name], label, colour) for name, label, colour in LEDGER if name in rows and np.any(rows[name])]
+    entries = [
+        (rows[name], label, colour) for name, label, colour in LEDGER if name in rows and np.any(rows[name])
+    ]
     initial = max(rows["kinetic_projectile"][0] + rows["kinetic_fabric"][0] + rows["internal"][0], 1e-100)
-    figure, (energy, share) = plt.subplots(2, 1, figsize=(6.6, 5.2), sharex=True, gridspec_kw={"height_ratios": [2, 1], "hspace": 0.1})
+    figure, (energy, share) = plt.subplots(
+        2, 1, figsize=(6.6, 5.2), sharex=True, gridspec_kw={"height_ratios": [2, 1], "hspace": 0.1}
+    )
     for values, label, colour in entries:
         small = np.abs(values).max() < 0.1 * initial
         energy.plot(time, values, color=colour, label=label, lw=1.0 if small else 1.6)
         if small:
             share.semilogy(time, percent(values / initial), color=colour, lw=1.1)
     share.semilogy(time, percent(rows["energy_error"]), color=INK, lw=1.2)
-    energy.plot([], [], color=INK, lw=1.2, label=f"Closure error,\nat most {100 * np.abs(rows['energy_error']).max():.2g} %")
+    energy.plot(
+        [],
+        [],
+        color=INK,
+        lw=1.2,
+        label=f"Closure error,\nat most {100 * np.abs(rows['energy_error']).max():.2g} %",
+    )
     if min((values.min() for values, _, _ in entries), default=0) >= 0:
         energy.set_ylim(bottom=0)
     energy.set_ylabel("Energy, J")

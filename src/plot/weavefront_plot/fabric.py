@@ -15,7 +15,9 @@ class Fabric:
         present = np.unique(results.ply)
         for number in numbers or ():
             if number not in present:
-                raise InputError(f"{results.path}: no ply {number}, which --plies asks for; it has {', '.join(map(str, present[:40]))}")
+                raise InputError(
+                    f"{results.path}: no ply {number}, which --plies asks for; it has {', '.join(map(str, present[:40]))}"
+                )
         self.plies = np.array(numbers) if numbers else present
         self.chosen = np.isin(results.ply, self.plies)
         self.quads = results.parts[0]
@@ -64,4 +66,6 @@ class Fabric:
         whole = np.array([points.min(axis=0), points.max(axis=0)])
         whole[0] = np.where(self.results.symmetry, -whole[1], whole[0])
         middle, margin = np.array([impact.x, impact.y]), MARGIN * window
-        return np.array([np.maximum(whole[0] - margin, middle - window), np.minimum(whole[1] + margin, middle + window)])
+        return np.array(
+            [np.maximum(whole[0] - margin, middle - window), np.minimum(whole[1] + margin, middle + window)]
+        )

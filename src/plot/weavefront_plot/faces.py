@@ -24,7 +24,12 @@ class Faces:
     @staticmethod
     def join(groups):
         """All faces of several groups."""
-        return Faces(*(np.concatenate([getattr(group, name) for group in groups]) for name in ("corners", "colours", "cut")))
+        return Faces(
+            *(
+                np.concatenate([getattr(group, name) for group in groups])
+                for name in ("corners", "colours", "cut")
+            )
+        )
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,9 @@ def beside(points, normal, through):
 
     The plane stands a hair inside, so that the edge of a half or quarter model that lies on it is found.
     """
-    return (points[:, :2] - through) @ np.asarray(normal, dtype=float) - 1e-6 * np.abs(points[:, :2]).max(initial=1e-9)
+    return (points[:, :2] - through) @ np.asarray(normal, dtype=float) - 1e-6 * np.abs(points[:, :2]).max(
+        initial=1e-9
+    )
 
 
 def cut(points, quads, normal, through):

@@ -100,8 +100,10 @@ class Hdf5Reader:
         array = self.dataset(name)
         first, count, shape = int(first), int(count), (width,) if width else ()
         if array.dtype.kind not in kinds or array.ndim < 1 or array.shape[1:] not in (shape, shape or (1,)):
-            raise InputError(f"{self.path}: {name} is of shape {array.shape} and type {array.dtype}, expected rows of {width or 1} "
-                             f"{'number' if 'f' in kinds else 'whole number'}{'s' if width else ''}")
+            raise InputError(
+                f"{self.path}: {name} is of shape {array.shape} and type {array.dtype}, expected rows of {width or 1} "
+                f"{'number' if 'f' in kinds else 'whole number'}{'s' if width else ''}"
+            )
         if not 0 <= first <= first + count <= array.shape[0]:
             raise InputError(f"{self.path}: {name} ends before its last frame")
         needed = count * (width or 1) * array.dtype.itemsize

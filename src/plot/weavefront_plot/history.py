@@ -26,8 +26,13 @@ def draw_history(run, path, measured=None):
     time = rows["time"] * 1e6
     force = contact_force(rows) if run.has_projectile else None
     ratios = [3, 3, 1.1] if force is None else [3, 3, 1.8, 1.1]
-    figure, axes = plt.subplots(len(ratios), 1, figsize=(5.2, 0.78 * sum(ratios)), sharex=True,
-                                gridspec_kw={"height_ratios": ratios, "hspace": 0.12})
+    figure, axes = plt.subplots(
+        len(ratios),
+        1,
+        figsize=(5.2, 0.78 * sum(ratios)),
+        sharex=True,
+        gridspec_kw={"height_ratios": ratios, "hspace": 0.12},
+    )
     draw_displacement(axes[0], run, time, measured)
     draw_velocity(axes[1], run, time, measured)
     if force is not None:
@@ -55,10 +60,21 @@ def draw_displacement(panel, run, time, measured):
     farthest = int(np.argmax(displacement))
     turns = run.has_projectile and rows["projectile_vz"].min() < 0
     reached = f", farthest {displacement[farthest]:.3g} mm at {time[farthest]:.0f} µs" if turns else ""
-    panel.plot(time, displacement, color=BLUE, label=f"nose of the projectile{reached}" if run.has_projectile else "no projectile")
+    panel.plot(
+        time,
+        displacement,
+        color=BLUE,
+        label=f"nose of the projectile{reached}" if run.has_projectile else "no projectile",
+    )
     if "back_face_deflection" in rows:
         deflection = rows["back_face_deflection"] * 1e3
-        panel.plot(time, deflection, color=GREEN, lw=1.2, label=f"back face of the target, at most {deflection.max():.3g} mm")
+        panel.plot(
+            time,
+            deflection,
+            color=GREEN,
+            lw=1.2,
+            label=f"back face of the target, at most {deflection.max():.3g} mm",
+        )
     panel.set_ylabel("Displacement\nalong z, mm")
     overlay(panel, measured, "displacement", 1e3)
     panel.legend(loc="best", fontsize=8)
@@ -83,7 +99,16 @@ def draw_velocity(panel, run, time, measured):
 def overlay(panel, measured, name, factor):
     """Measured points, where there are some of this kind."""
     if measured is not None and name in measured:
-        panel.plot(measured["time"] * 1e6, measured[name] * factor, "o", ms=4.2, mfc="white", mec=INK, mew=0.9, label="measured")
+        panel.plot(
+            measured["time"] * 1e6,
+            measured[name] * factor,
+            "o",
+            ms=4.2,
+            mfc="white",
+            mec=INK,
+            mew=0.9,
+            label="measured",
+        )
 
 
 def draw_broken(panel, time, broken):

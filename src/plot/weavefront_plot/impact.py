@@ -38,7 +38,10 @@ def impact_of(run):
     if velocity[2] > OBLIQUE * speed:
         nose = nose + velocity * max(plane - nose[2], 0.0) / velocity[2]
     low, high = results.reference[:, :2].min(axis=0), results.reference[:, :2].max(axis=0)
-    x, y = (0.0 if results.symmetry[axis] else float(np.clip(nose[axis], low[axis], high[axis])) for axis in (0, 1))
+    x, y = (
+        0.0 if results.symmetry[axis] else float(np.clip(nose[axis], low[axis], high[axis]))
+        for axis in (0, 1)
+    )
     return Impact(snapped(x), snapped(y), direction(velocity[:2], speed))
 
 

@@ -33,4 +33,6 @@ def facing_quarter(impact, view):
     if abs(view.elevation) >= STEEP:
         return None
     towards = view.axes()[2]
-    return OpenQuarter(1e3 * impact.x, 1e3 * impact.y, 1 if towards[0] > -1e-9 else -1, 1 if towards[1] > 1e-9 else -1)
+    return OpenQuarter(
+        1e3 * impact.x, 1e3 * impact.y, 1 if towards[0] > -1e-9 else -1, 1 if towards[1] > 1e-9 else -1
+    )

@@ -10,7 +10,13 @@ ANIMATIONS = ("gif", "mp4")
 TIME = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9}
 LENGTH = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6}
 WINDOW = (1e-6, 1e3)  # m
-VIEWS = {"back-face": (-52.0, 24.0), "strike-face": (-52.0, -24.0), "side": (-90.0, 0.0), "top": (-90.0, 90.0), "bottom": (-90.0, -90.0)}
+VIEWS = {
+    "back-face": (-52.0, 24.0),
+    "strike-face": (-52.0, -24.0),
+    "side": (-90.0, 0.0),
+    "top": (-90.0, 90.0),
+    "bottom": (-90.0, -90.0),
+}
 
 
 def short(text):
@@ -34,7 +40,9 @@ def quantity(text, units, option):
     except (TypeError, KeyError, ValueError):
         value = math.inf
     if not math.isfinite(value):
-        raise InputError(f"{option}: '{short(text)}' is not a number with one of the units {', '.join(units)}")
+        raise InputError(
+            f"{option}: '{short(text)}' is not a number with one of the units {', '.join(units)}"
+        )
     return value
 
 
@@ -69,7 +77,9 @@ def plies(text):
         match = re.fullmatch(r"([0-9]{1,6})(?:\s*-\s*([0-9]{1,6}))?", item)
         first, last = (int(match[1]), int(match[2] or match[1])) if match else (0, 0)
         if not 1 <= first <= last:
-            raise InputError(f"--plies: '{short(item)}' is no ply, such as 3, and no range of plies, such as 3-5")
+            raise InputError(
+                f"--plies: '{short(item)}' is no ply, such as 3, and no range of plies, such as 3-5"
+            )
         numbers.update(range(first, last + 1))
     return sorted(numbers)
 
@@ -83,6 +93,8 @@ def view(text):
     except ValueError:
         azimuth = elevation = math.nan
     if not (abs(azimuth) <= 360 and abs(elevation) <= 90):
-        raise InputError(f"--view: '{short(text)}' is none of {', '.join(VIEWS)}, and not an azimuth (-360 to 360) and an elevation "
-                         "(-90 to 90) in degrees, such as -52,24")
+        raise InputError(
+            f"--view: '{short(text)}' is none of {', '.join(VIEWS)}, and not an azimuth (-360 to 360) and an elevation "
+            "(-90 to 90) in degrees, such as -52,24"
+        )
     return azimuth, elevation

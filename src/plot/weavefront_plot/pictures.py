@@ -74,4 +74,6 @@ def draw_frames(run, fabric, options, path):
     if "section" in options.only:
         draw_section(run, fabric, path("section"), frames, options.window)
     if "contour" in options.only:
-        draw_contour(run, fabric, path(f"contour_{run.label(run.turning_frame)}"), run.turning_frame, options.window)
+        draw_contour(
+            run, fabric, path(f"contour_{run.label(run.turning_frame)}"), run.turning_frame, options.window
+        )

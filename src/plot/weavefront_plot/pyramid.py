@@ -14,7 +14,9 @@ def pyramid(run, fabric, step):
     top = float(height[quads].max(initial=0.0))
 
     def mean(directions):
-        reached = [extent(points, quads, height, top / 2, (impact.x, impact.y), d) for d in directions if top > 0]
+        reached = [
+            extent(points, quads, height, top / 2, (impact.x, impact.y), d) for d in directions if top > 0
+        ]
         reached = [r for r in reached if r is not None]
         return float(np.mean(reached)) if reached else None
 
@@ -22,8 +24,17 @@ def pyramid(run, fabric, step):
     along_x, along_y = mean([(a, 0) for a in x]), mean([(0, b) for b in y])
     diagonal = mean([(a, b) for a in x for b in y])
     ratio = along_x / diagonal if along_x and diagonal else None
-    return {"time": float(results.times[step]), "ply": int(fabric.plies[-1]), "impact_x": impact.x, "impact_y": impact.y, "height": top,
-            "extent_x": along_x, "extent_y": along_y, "extent_diagonal": diagonal, "ratio": ratio}
+    return {
+        "time": float(results.times[step]),
+        "ply": int(fabric.plies[-1]),
+        "impact_x": impact.x,
+        "impact_y": impact.y,
+        "height": top,
+        "extent_x": along_x,
+        "extent_y": along_y,
+        "extent_diagonal": diagonal,
+        "ratio": ratio,
+    }
 
 
 def write_pyramid(shape, path):

@@ -55,13 +55,17 @@ class Results:
     def _counts(self, name):
         counts = self.file.all(f"VTKHDF/{name}", INTEGER, PARTS)
         if len(counts) == 0 or np.any((counts < 0) | (counts > MOST)):
-            raise InputError(f"{self.path}: VTKHDF/{name} is {counts.tolist()}, expected one count for each part")
+            raise InputError(
+                f"{self.path}: VTKHDF/{name} is {counts.tolist()}, expected one count for each part"
+            )
         return counts
 
     def _quads(self, part):
         cells, ids = self.cells_of_part, self._counts("NumberOfConnectivityIds")
         if not len(cells) == len(ids) == len(self.points_of_part):
-            raise InputError(f"{self.path}: NumberOfPoints, NumberOfCells and NumberOfConnectivityIds differ in length")
+            raise InputError(
+                f"{self.path}: NumberOfPoints, NumberOfCells and NumberOfConnectivityIds differ in length"
+            )
         nodes = self.file.rows("VTKHDF/Connectivity", ids[:part].sum(), ids[part], INTEGER)
         offsets = self.file.rows("VTKHDF/Offsets", cells[:part].sum() + part, cells[part] + 1, INTEGER)
         corners = np.diff(offsets)
@@ -71,7 +75,9 @@ class Results:
             raise InputError(f"{self.path}: VTKHDF/Offsets leads outside Connectivity in part {part}")
         if np.any((nodes < 0) | (nodes >= self.points_of_part[part])):
             raise InputError(f"{self.path}: VTKHDF/Connectivity names points that part {part} has not got")
-        return nodes[offsets[:-1, None] + np.minimum(np.arange(4), corners[:, None] - 1)]  # a triangle repeats its last node
+        return nodes[
+            offsets[:-1, None] + np.minimum(np.arange(4), corners[:, None] - 1)
+        ]  # a triangle repeats its last node
 
     def _symmetry_of_mesh(self):
         """Whether only x >= 0, y >= 0 is modelled."""
@@ -88,7 +94,9 @@ class Results:
         if not self.file.has("VTKHDF/PointData/displacement"):
             return self.points(step) - self.points(0)
         start = self.file.number("VTKHDF/Steps/PointDataOffsets/displacement", step)
-        return self.file.rows("VTKHDF/PointData/displacement", start, self.points_of_part[0], width=3, largest=FARTHEST)
+        return self.file.rows(
+            "VTKHDF/PointData/displacement", start, self.points_of_part[0], width=3, largest=FARTHEST
+        )
 
     def _cells(self, name, step, kinds=NUMBER):
         array, offsets, start = f"VTKHDF/CellData/{name}", f"VTKHDF/Steps/CellDataOffsets/{name}", 0
@@ -144,4 +152,3 @@ class Results:
             if {f"{name}_fill", f"{name}_warp"} <= set(self.arrays()):
                 return name
         return "height"
-

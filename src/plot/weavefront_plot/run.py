@@ -11,9 +11,30 @@ from .results import Results
 from .scene_text import title_of
 from .tables import read_columns
 
-REQUIRED = ("time", "projectile_z", "projectile_vz", "kinetic_fabric", "kinetic_projectile", "internal", "energy_error", "broken_yarns")
-OPTIONAL = ("projectile_vx", "projectile_vy", "contact_fx", "contact_fy", "contact_fz", "hourglass", "contact", "friction", "damping",
-            "external", "eroded", "back_face_deflection")
+REQUIRED = (
+    "time",
+    "projectile_z",
+    "projectile_vz",
+    "kinetic_fabric",
+    "kinetic_projectile",
+    "internal",
+    "energy_error",
+    "broken_yarns",
+)
+OPTIONAL = (
+    "projectile_vx",
+    "projectile_vy",
+    "contact_fx",
+    "contact_fy",
+    "contact_fz",
+    "hourglass",
+    "contact",
+    "friction",
+    "damping",
+    "external",
+    "eroded",
+    "back_face_deflection",
+)
 DIGITS = 9  # at most, after the point of a time in a file's name
 
 
@@ -67,15 +88,24 @@ class Run:
         if not self.has_projectile or not {"projectile_vx", "projectile_vy"} <= set(rows):
             return None
         speed = np.linalg.norm([rows["projectile_vx"], rows["projectile_vy"], rows["projectile_vz"]], axis=0)
-        return speed if np.hypot(rows["projectile_vx"][0], rows["projectile_vy"][0]) > OBLIQUE * speed[0] else None
+        return (
+            speed
+            if np.hypot(rows["projectile_vx"][0], rows["projectile_vy"][0]) > OBLIQUE * speed[0]
+            else None
+        )
 
     def caption(self, step):
         """Time and velocity of the projectile in a frame, as a line of text."""
         time = self.results.times[step]
         parts = [microseconds(time)]
         if self.has_history and self.has_projectile:
-            shown = [("vz", self.history["projectile_vz"])] + ([] if self.speed is None else [("speed", self.speed)])
-            parts += [f"{name} {signed(np.interp(time, self.history['time'], values))} m/s" for name, values in shown]
+            shown = [("vz", self.history["projectile_vz"])] + (
+                [] if self.speed is None else [("speed", self.speed)]
+            )
+            parts += [
+                f"{name} {signed(np.interp(time, self.history['time'], values))} m/s"
+                for name, values in shown
+            ]
         return ",  ".join(parts).replace(",  vz", ",  projectile: vz")
 
     @cached_property
@@ -99,7 +129,11 @@ class Run:
             return sorted({int(np.argmin(np.abs(known - time))) for time in times})
         turn = self.turning_frame
         early = 0 < known[turn] < 0.4 * known[-1]
-        wanted = known[turn] * np.array([1 / 3, 2 / 3, 1, 2]) if early else known[-1] * np.array([0.25, 0.5, 0.75, 1])
+        wanted = (
+            known[turn] * np.array([1 / 3, 2 / 3, 1, 2])
+            if early
+            else known[-1] * np.array([0.25, 0.5, 0.75, 1])
+        )
         chosen = [int(np.argmin(np.abs(known - time))) for time in wanted]
         if turn not in chosen:
             chosen[min(range(3), key=lambda i: abs(chosen[i] - turn))] = turn
@@ -122,4 +156,6 @@ def microseconds(time):
 
 def signed(value):
     """A number without digits after the point, with a typographic minus."""
-    return f"{'−' if round(value) < 0 else ''}{f'{abs(value):.0f}' if abs(value) < 1e7 else f'{abs(value):.3g}'}"
+    return (
+        f"{'−' if round(value) < 0 else ''}{f'{abs(value):.0f}' if abs(value) < 1e7 else f'{abs(value):.3g}'}"
+    )

@@ -9,7 +9,9 @@ def title_of(scene):
     match = re.search(r"^title:[ \t]*(.*)$", scene, re.MULTILINE)
     text = match[1].strip() if match else ""
     if len(text) > 1 and text[0] == text[-1] == '"':
-        return re.sub(r"\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.))", unescaped, text[1:-1])
+        return re.sub(
+            r"\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.))", unescaped, text[1:-1]
+        )
     if len(text) > 1 and text[0] == text[-1] == "'":
         return text[1:-1].replace("''", "'")
     return text

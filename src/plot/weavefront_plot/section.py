@@ -18,9 +18,13 @@ KEY, NUMBER = 2.4, 0.16  # inches: height of the bar of colours, of a number bes
 def cut_at_impact(results, impact, points, quads):
     """Segments in the plane of the section in mm [k, 2, 2] of all mirror images, and the quad of each."""
     normal = (-impact.along[1], impact.along[0])
-    parts = [cut(mirrored(points, sign), quads, normal, (impact.x, impact.y)) for sign in images(results.symmetry)]
+    parts = [
+        cut(mirrored(points, sign), quads, normal, (impact.x, impact.y)) for sign in images(results.symmetry)
+    ]
     segments = np.concatenate([segments for segments, _ in parts])
-    return 1e3 * np.stack([impact.distance(segments), segments[..., 2]], axis=-1), np.concatenate([cells for _, cells in parts])
+    return 1e3 * np.stack([impact.distance(segments), segments[..., 2]], axis=-1), np.concatenate(
+        [cells for _, cells in parts]
+    )
 
 
 def ply_lines(run, fabric, step):
@@ -49,7 +53,10 @@ def plane_of(impact):
     if impact.along == (0.0, 1.0):
         return "y, mm", f"at x = {length(impact.x)}"
     degrees = np.degrees(np.arctan2(impact.along[1], impact.along[0]))
-    return "Along the shot from the impact, mm", f"at {degrees:.0f}° to x through ({length(impact.x)}, {length(impact.y)})"
+    return (
+        "Along the shot from the impact, mm",
+        f"at {degrees:.0f}° to x through ({length(impact.x)}, {length(impact.y)})",
+    )
 
 
 def length(value):
@@ -78,11 +85,23 @@ def draw_section(run, fabric, path, frames, window=None):
     for panel, step, ((lines, ply), body), span in zip(panels, frames, strips, spans):
         if body is not None:
             panel.fill(*body.T, facecolor="#d7d9dc", edgecolor="#6d7278", lw=0.8, zorder=1)
-        panel.add_collection(LineCollection(lines, colors=[tint[number] for number in ply], linewidths=width, capstyle="round", zorder=2))
+        panel.add_collection(
+            LineCollection(
+                lines, colors=[tint[number] for number in ply], linewidths=width, capstyle="round", zorder=2
+            )
+        )
         panel.set(xlim=(left, right), ylim=span, ylabel="z, mm")
         panel.yaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10], prune="upper"))
         panel.tick_params(labelbottom=panel is panels[-1])
-        panel.annotate(run.caption(step), (0, 1), (6, -3), xycoords="axes fraction", textcoords="offset points", va="top", fontsize=8.5)
+        panel.annotate(
+            run.caption(step),
+            (0, 1),
+            (6, -3),
+            xycoords="axes fraction",
+            textcoords="offset points",
+            va="top",
+            fontsize=8.5,
+        )
     figure.align_ylabels(panels)
     panels[-1].set_xlabel(label)
     panels[0].set_title(f"Section {place}", loc="left")
@@ -97,7 +116,9 @@ def panels_of(heights, width):
     total = sum(inches) + GAP * (len(heights) - 1)
     figure = plt.figure(figsize=(WIDTH, total))
     tops = total - np.cumsum([0, *(height + GAP for height in inches[:-1])])
-    return figure, [figure.add_axes([0, (top - height) / total, 1, height / total]) for top, height in zip(tops, inches)]
+    return figure, [
+        figure.add_axes([0, (top - height) / total, 1, height / total]) for top, height in zip(tops, inches)
+    ]
 
 
 def tints(count):
@@ -111,7 +132,9 @@ def draw_key(figure, panels, plies):
     colours = ScalarMappable(BoundaryNorm(steps, len(plies)), ListedColormap(tints(len(plies))))
     total = figure.get_size_inches()[1]
     height = min(total, KEY, 2 * NUMBER * len(plies))
-    bar = figure.colorbar(colours, cax=figure.add_axes([1.03, 1 - height / total, 0.022, height / total]), ticks=[])
+    bar = figure.colorbar(
+        colours, cax=figure.add_axes([1.03, 1 - height / total, 0.022, height / total]), ticks=[]
+    )
     bar.outline.set_linewidth(0.5)
     bar.minorticks_off()
     each = int(np.ceil(len(plies) / max(height // NUMBER, 1)))
@@ -128,6 +151,8 @@ def heights(lines, body, left, right):
     low, high = float(inside.min(initial=0.0)), float(inside.max(initial=0.0))
     high = min(high, low + TALLEST * width)
     if body is not None and body[:, 1].min() < high + 0.125 * width:
-        low, high = min(low, max(body[:, 1].min(), low - AWAY * width)), max(high, min(body[:, 1].max(), high + AWAY * width))
+        low, high = min(low, max(body[:, 1].min(), low - AWAY * width)), max(
+            high, min(body[:, 1].max(), high + AWAY * width)
+        )
     low, high = low - 0.025 * width, high + (0.01 + CAPTION / WIDTH) * width
     return low, max(high, low + LOWEST * width)

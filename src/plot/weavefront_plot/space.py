@@ -18,7 +18,13 @@ class Space:
     """Fabric within `window` (m) of the impact along x and y, without the `opening`, and the projectile."""
 
     def __init__(self, run, fabric, window, view, opening, debris):
-        self.results, self.fabric, self.window, self.view, self.opening = run.results, fabric, window, view, opening
+        self.results, self.fabric, self.window, self.view, self.opening = (
+            run.results,
+            fabric,
+            window,
+            view,
+            opening,
+        )
         self.shows_debris = debris
         self.spacing = 1e3 * spacing(self.results.reference, fabric.quads, self.results.ply)
         self.edge = EDGE * self.spacing  # thickness of a ply in a cut
@@ -34,7 +40,10 @@ class Space:
         """Points in mm of each mirror image, and its elements among `shown` in the window, in part at least."""
         points = self.results.points(step) * 1e3
         for sign in images(self.results.symmetry):
-            image, near = mirrored(points, sign), np.abs(self.centres * sign - self.impact).max(axis=1) <= self.window
+            image, near = (
+                mirrored(points, sign),
+                np.abs(self.centres * sign - self.impact).max(axis=1) <= self.window,
+            )
             cells = np.flatnonzero(shown & near)
             if self.opening:
                 sides = self.opening.sides(image[self.fabric.quads[cells]])
@@ -60,7 +69,10 @@ class Space:
                 continue
             reaching = np.all(self.opening.sides(corners).max(axis=1) > 0, axis=1)
             groups.append(Faces(corners, lit, reaching))
-            groups += [self._edges(points, quads, colours[cells], normal, axis) for normal, axis in self.opening.planes()]
+            groups += [
+                self._edges(points, quads, colours[cells], normal, axis)
+                for normal, axis in self.opening.planes()
+            ]
         return groups
 
     def _edges(self, points, quads, colours, normal, axis):
@@ -71,7 +83,9 @@ class Space:
         past = np.maximum(-out, 0) / np.maximum(np.ptp(out, axis=1), 1e-300)[:, None]
         segments = segments + past[..., None] * (segments[:, ::-1] - segments)
         half = np.array([0.0, 0.0, self.edge / 2])
-        return Faces.whole(np.concatenate([segments - half, segments[:, ::-1] + half], axis=1), DARK * colours[cells])
+        return Faces.whole(
+            np.concatenate([segments - half, segments[:, ::-1] + half], axis=1), DARK * colours[cells]
+        )
 
     def projectile(self, step, top):
         """The projectile's faces in mm, or none when all of it is above `top` in mm."""
@@ -88,12 +102,18 @@ class Space:
 
     def top(self, step):
         """Up to where the projectile is drawn, in mm: a quarter of the window above the fabric."""
-        heights = [points[self.fabric.quads[cells], 2].max(initial=0.0) for points, cells in self.pieces(step, self.fabric.joined(step))]
+        heights = [
+            points[self.fabric.quads[cells], 2].max(initial=0.0)
+            for points, cells in self.pieces(step, self.fabric.joined(step))
+        ]
         return max(heights) + 0.25e3 * self.window
 
     def extent(self, step):
         """Lowest and highest coordinates of joined fabric and projectile [2, 2]; None without fabric."""
-        corners = [points[self.fabric.quads[cells]].reshape(-1, 3) for points, cells in self.pieces(step, self.fabric.joined(step))]
+        corners = [
+            points[self.fabric.quads[cells]].reshape(-1, 3)
+            for points, cells in self.pieces(step, self.fabric.joined(step))
+        ]
         if not any(map(len, corners)):
             return None
         corners.append(self.projectile(step, self.top(step)).corners.reshape(-1, 3))

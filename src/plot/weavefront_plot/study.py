@@ -20,14 +20,33 @@ LONGEST, LONGEST_TITLE, LONGEST_NAME = 60, 110, 26  # letters of a label, of the
 
 def costs_of(study):
     """Label, key in the table of Pareto fronts or None, and value of each variant by its name."""
-    costs = [("Wall seconds x ranks", "core_seconds", {variant.name: variant.core_seconds for variant in study.variants}),
-             ("Element-steps", "element_steps", {variant.name: variant.element_steps for variant in study.variants})]
+    costs = [
+        (
+            "Wall seconds x ranks",
+            "core_seconds",
+            {variant.name: variant.core_seconds for variant in study.variants},
+        ),
+        (
+            "Element-steps",
+            "element_steps",
+            {variant.name: variant.element_steps for variant in study.variants},
+        ),
+    ]
     if all(variant.values.get("evaluations") is not None for variant in study.variants):
-        costs.append(("Evaluations a step", "evaluations", {variant.name: variant.values["evaluations"] for variant in study.variants}))
+        costs.append(
+            (
+                "Evaluations a step",
+                "evaluations",
+                {variant.name: variant.values["evaluations"] for variant in study.variants},
+            )
+        )
     sizes = sizes_of(study)
     if sizes:
         costs.insert(0, ("Element size at the impact, mm", None, sizes))
-    return [(label, key, {name: max(value, LEAST_COST) for name, value in values.items()}) for label, key, values in costs]
+    return [
+        (label, key, {name: max(value, LEAST_COST) for name, value in values.items()})
+        for label, key, values in costs
+    ]
 
 
 def sizes_of(study):
@@ -42,7 +61,9 @@ def sizes_of(study):
 
 def errors_of(study, name):
     """Error of each finished variant that has one, by its name."""
-    compared = (variant for variant in study.variants if variant.compared and variant.errors.get(name) is not None)
+    compared = (
+        variant for variant in study.variants if variant.compared and variant.errors.get(name) is not None
+    )
     return {variant.name: max(variant.errors[name], FLOOR) for variant in compared}
 
 
@@ -72,7 +93,9 @@ def draw_front(panel, study, quantity, key, costs, errors):
     for i, front in enumerate(fronts.values()):
         x, y = zip(*sorted(front))
         panel.step(x, y, where="post", color=FAINT, lw=0.8, zorder=1)
-        panel.plot(x, y, "o", ms=9, mfc="none", mec=INK, mew=0.8, zorder=3, label="_" if i else "Pareto front")
+        panel.plot(
+            x, y, "o", ms=9, mfc="none", mec=INK, mew=0.8, zorder=3, label="_" if i else "Pareto front"
+        )
 
 
 def draw_panel(panel, study, quantity, label, key, costs):
@@ -81,8 +104,16 @@ def draw_panel(panel, study, quantity, label, key, costs):
     for i, series in enumerate(quantity.series):
         names = [name for name in series.variants if name in errors]
         line = "none" if study.order_along is None else "-"
-        panel.plot([costs[name] for name in names], [errors[name] for name in names], color=COLOURS[i % len(COLOURS)], lw=1,
-                   ls=line, marker=MARKERS[i // len(COLOURS) % len(MARKERS)], ms=4, label=series_label(study, series))
+        panel.plot(
+            [costs[name] for name in names],
+            [errors[name] for name in names],
+            color=COLOURS[i % len(COLOURS)],
+            lw=1,
+            ls=line,
+            marker=MARKERS[i // len(COLOURS) % len(MARKERS)],
+            ms=4,
+            label=series_label(study, series),
+        )
     if key is not None:
         draw_front(panel, study, quantity, key, costs, errors)
     panel.set(xlabel=label, xscale="log", yscale="log")
@@ -95,7 +126,9 @@ def scale(axis, low, high):
     subdivided, powers = high < 30 * low, high > 1e4 * low
     # 1, 2 and 5 times a power of ten may leave less than two labels in such a short range.
     few = high < 2.5 * low
-    axis.set_major_locator(MaxNLocator(3) if few else LogLocator(subs=(1, 2, 5) if subdivided else (1,), numticks=6))
+    axis.set_major_locator(
+        MaxNLocator(3) if few else LogLocator(subs=(1, 2, 5) if subdivided else (1,), numticks=6)
+    )
     axis.set_major_formatter(FuncFormatter(lambda value, _: number(value, powers)))
     axis.set_minor_formatter(NullFormatter())
 
@@ -118,12 +151,20 @@ def row_height(quantities):
 def figure_of(study, quantities):
     """A row of panels for each quantity."""
     costs, height = costs_of(study), row_height(quantities)
-    figure, axes = plt.subplots(len(quantities), len(costs), figsize=(1 + 3.4 * len(costs), 0.6 + height * len(quantities)), squeeze=False,
-                                sharey="row", constrained_layout={"w_pad": 0.12, "h_pad": 0.06})
+    figure, axes = plt.subplots(
+        len(quantities),
+        len(costs),
+        figsize=(1 + 3.4 * len(costs), 0.6 + height * len(quantities)),
+        squeeze=False,
+        sharey="row",
+        constrained_layout={"w_pad": 0.12, "h_pad": 0.06},
+    )
     for row, quantity in zip(axes, quantities):
         for panel, (label, key, values) in zip(row, costs):
             draw_panel(panel, study, quantity, label, key, values)
-        row[0].set_ylabel(f"Error of\n{cleaned(quantity.name, LONGEST_NAME)}", fontsize=8).set_parse_math(False)
+        row[0].set_ylabel(f"Error of\n{cleaned(quantity.name, LONGEST_NAME)}", fontsize=8).set_parse_math(
+            False
+        )
         for text in row[-1].legend(loc="center left", bbox_to_anchor=(1.02, 0.5), fontsize=7).get_texts():
             text.set_parse_math(False)
     literal(figure.suptitle("", x=0.01, ha="left", fontsize=9.5, color=INK), study.title, LONGEST_TITLE)
@@ -135,8 +176,12 @@ def draw_study(folder, path):
     study = read_study(folder)
     quantities = [quantity for quantity in study.quantities if errors_of(study, quantity.name)]
     if not quantities:
-        raise InputError(f"{folder / 'study.json'}: no variant has an error to draw; the study needs a reference")
+        raise InputError(
+            f"{folder / 'study.json'}: no variant has an error to draw; the study needs a reference"
+        )
     if len(quantities) * row_height(quantities) > TALLEST:
         series = max(len(quantity.series) for quantity in quantities)
-        raise InputError(f"{folder / 'study.json'}: {len(quantities)} quantities of {series} series do not fit into one picture")
+        raise InputError(
+            f"{folder / 'study.json'}: {len(quantities)} quantities of {series} series do not fit into one picture"
+        )
     save_figure(figure_of(study, quantities), path)

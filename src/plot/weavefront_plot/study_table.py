@@ -68,7 +68,9 @@ class Node:
 
     def wrong(self, allowed):
         """The error that something else was expected here."""
-        return InputError(f"{self.path}: {self.place or 'document'}: found {short(json.dumps(self.value))}, allowed {allowed}")
+        return InputError(
+            f"{self.path}: {self.place or 'document'}: found {short(json.dumps(self.value))}, allowed {allowed}"
+        )
 
     def as_a(self, kind):
         """The value, which must be of the kind; a number must be finite."""
@@ -116,8 +118,13 @@ def read_study(folder):
     names = {variant.name for variant in variants}
     if not variants:
         raise root["variants"].wrong("at least one variant")
-    axes = [Axis(axis["name"].as_a(str), {choice["label"].as_a(str): choice["value"].optional(float) for choice in axis["choices"].each()})
-            for axis in root["axes"].each()]
+    axes = [
+        Axis(
+            axis["name"].as_a(str),
+            {choice["label"].as_a(str): choice["value"].optional(float) for choice in axis["choices"].each()},
+        )
+        for axis in root["axes"].each()
+    ]
     for node, variant in zip(root["variants"].each(), variants):
         if len(variant.labels) != len(axes):
             raise node["labels"].wrong(f"a list of {len(axes)}, one label an axis")
@@ -129,9 +136,16 @@ def variant_of(node):
     """One row."""
     seconds, ranks = node["wall_seconds"].as_a(float), node["ranks"].as_a(float)
     compared = node["outcome"].as_a(str) == "finished" and not node["reference_only"].as_a(bool)
-    return Variant(name=node["variant"].as_a(str), labels=node["labels"].all_as(str), compared=compared,
-                   compared_with=node["compared_with"].optional(str), values=node["values"].numbers(), errors=node["errors"].numbers(),
-                   core_seconds=seconds * ranks, element_steps=node["element_steps"].as_a(float))
+    return Variant(
+        name=node["variant"].as_a(str),
+        labels=node["labels"].all_as(str),
+        compared=compared,
+        compared_with=node["compared_with"].optional(str),
+        values=node["values"].numbers(),
+        errors=node["errors"].numbers(),
+        core_seconds=seconds * ranks,
+        element_steps=node["element_steps"].as_a(float),
+    )
 
 
 def quantity_of(node, names, count):
@@ -141,7 +155,9 @@ def quantity_of(node, names, count):
         for name in part["variants"].each():
             if name.as_a(str) not in names:
                 raise name.wrong("the name of a variant")
-        series.append(Series(part["labels"].all_as(str), part["variants"].all_as(str), part["order"].optional(float)))
+        series.append(
+            Series(part["labels"].all_as(str), part["variants"].all_as(str), part["order"].optional(float))
+        )
     fronts = {key: node["pareto"][key].all_as(bool) for key in node["pareto"].as_a(dict)}
     for key, front in fronts.items():
         if len(front) != count:

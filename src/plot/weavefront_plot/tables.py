@@ -71,14 +71,20 @@ def rows_of(path, text):
 def numbers(path, line, names, row, places):
     """The values of the row in these places as floats."""
     if len(row) != len(names):
-        raise InputError(f"{path}:{line}: '{short(','.join(row))}' has {len(row)} values, the header {len(names)}")
+        raise InputError(
+            f"{path}:{line}: '{short(','.join(row))}' has {len(row)} values, the header {len(names)}"
+        )
     values = []
     for place in places:
         try:
             value = float(row[place])
         except ValueError:
-            raise InputError(f"{path}:{line}: {names[place]}: '{short(row[place])}' is not a number") from None
+            raise InputError(
+                f"{path}:{line}: {names[place]}: '{short(row[place])}' is not a number"
+            ) from None
         if not abs(value) <= LARGEST:
-            raise InputError(f"{path}:{line}: {names[place]}: {short(row[place].strip())} is not finite or beyond {LARGEST:g}")
+            raise InputError(
+                f"{path}:{line}: {names[place]}: {short(row[place].strip())} is not finite or beyond {LARGEST:g}"
+            )
         values.append(value)
     return values

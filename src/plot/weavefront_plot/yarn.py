@@ -12,7 +12,14 @@ MOST = 60  # rates
 
 def marker(failure, colour):
     """The marker that ends a curve: filled for primary, open for secondary bonds."""
-    return {"ls": "", "marker": MARKERS[failure][0], "ms": 5.5, "mfc": "white" if failure == 20 else colour, "mec": colour, "mew": 1.3}
+    return {
+        "ls": "",
+        "marker": MARKERS[failure][0],
+        "ms": 5.5,
+        "mfc": "white" if failure == 20 else colour,
+        "mec": colour,
+        "mew": 1.3,
+    }
 
 
 def draw_yarn(source, path):
@@ -39,7 +46,13 @@ def draw_yarn(source, path):
     axes.set(xlabel="Strain, %", ylabel="Stress, GPa")
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
-    rate_legend = axes.legend(title="Strain rate, 1/s", loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0, handlelength=1.6)
+    rate_legend = axes.legend(
+        title="Strain rate, 1/s",
+        loc="upper left",
+        bbox_to_anchor=(1.02, 1.0),
+        borderaxespad=0,
+        handlelength=1.6,
+    )
     rate_legend.get_title().set_fontsize(8.5)
     axes.add_artist(rate_legend)
     ends = [plt.Line2D([], [], label=MARKERS[failure][1], **marker(failure, INK)) for failure in sorted(met)]

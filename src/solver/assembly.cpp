@@ -75,8 +75,8 @@ void Assembly::add_packs(const shell::ElementGroup& group, std::int32_t first, s
     }
 }
 
-void Assembly::share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces,
-                     const FixedVector& total, std::vector<FixedVector>& sums) const {
+void Assembly::distribute(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces,
+                          const FixedVector& total, std::vector<FixedVector>& sums) const {
     for (std::size_t d = 0; d < 3; ++d) {
         std::int64_t rest = total[d];
         for (std::size_t a = 0; a < 3; ++a) {
@@ -104,11 +104,11 @@ void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>
         total[d] = scale_.from(pair.total[component]);
         opposite[d] = -total[d];
     }
-    share(pair.slave, pair.on_slave, total, sums);
+    distribute(pair.slave, pair.on_slave, total, sums);
     if (pair.kind == contact::Master::projectile)
         for (std::size_t d = 0; d < 3; ++d) on_projectile[d] += opposite[d];
     else if (pair.kind == contact::Master::facet)
-        share(pair.master, pair.on_master, opposite, sums);
+        distribute(pair.master, pair.on_master, opposite, sums);
 }
 
 }  // namespace weavefront::solver

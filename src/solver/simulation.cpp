@@ -109,14 +109,14 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
 }
 
 void Simulation::advance_forces() {
-    step_ = {};
+    agreement_ = {};
     model_.assembly.start(model_.nodes.force);
     advance_elements();
     evaluate_contact();
     sum_forces_and_agree();
     apply_agreement();
     hold_supports();
-    if (clock_.steps >= next_check_ || step_.check_due > 0) adapt_time_step();
+    if (clock_.steps >= next_adaptation_ || agreement_.adaptation_due > 0) adapt_time_step();
     look_for_passages();
 }
 
@@ -187,21 +187,21 @@ void Simulation::evaluate_contact() {
     auto& normals = model_.normals;
     contact_.clear();
     normals.invalidate();
-    const auto share = [&](ContactKind kind) { return sliding_[kind].share(); };
+    const auto sliding_share = [&](ContactKind kind) { return sliding_[kind].sliding_share(); };
     if (model_.projectile_contact)
         model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile,
-                                            clock_.last_dt, share(of_projectile), contact_);
+                                            clock_.last_dt, sliding_share(of_projectile), contact_);
     book_sliding(of_projectile);
     if (model_.ply_contact)
         model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, clock_.last_dt,
-                                     share(of_plies), contact_);
+                                     sliding_share(of_plies), contact_);
     book_sliding(of_plies);
     if (model_.frame_contact)
         model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, clock_.last_dt,
-                                       share(of_frame), contact_);
+                                       sliding_share(of_frame), contact_);
     book_sliding(of_frame);
     for (const auto& pair : contact_.pairs)
-        model_.assembly.add_pair(pair, model_.nodes.force, step_.projectile_force);
+        model_.assembly.add_pair(pair, model_.nodes.force, agreement_.projectile_force);
     if (model_.projectile_on_frame)
         frame_force_ =
             without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, clock_.last_dt));
@@ -212,8 +212,8 @@ void Simulation::evaluate_contact() {
 
 void Simulation::book_sliding(ContactKind kind) {
     for (const auto& facet : contact_.sliding) {
-        ledger_.add(step_.sliding_released[kind], facet.released - facet.taken);
-        ledger_.add(step_.sliding_wanted[kind], facet.wanted);
+        ledger_.add(agreement_.sliding_released[kind], facet.released - facet.taken);
+        ledger_.add(agreement_.sliding_wanted[kind], facet.wanted);
     }
     contact_.sliding.clear();
 }
@@ -242,26 +242,26 @@ void Simulation::sum_forces_and_agree() {
     const Timed timed(seconds_, Phase::halo);
     model_.exchange.start(comm_, model_.nodes.force);
     const auto has_stiffened = [](const auto& group) { return group->has_stiffened(); };
-    step_.eroded = static_cast<std::int64_t>(just_eroded_.size());
-    step_.left_skin = moved_far() ? 1 : 0;
-    step_.check_due = std::ranges::any_of(model_.groups, has_stiffened) ? 1 : 0;
-    step_.stop = stop_requested_ ? 1 : 0;
-    step_.checkpoint = std::exchange(checkpoint_requested_, false) ? 1 : 0;
-    step_.fault =
+    agreement_.eroded = static_cast<std::int64_t>(just_eroded_.size());
+    agreement_.left_skin = moved_far() ? 1 : 0;
+    agreement_.adaptation_due = std::ranges::any_of(model_.groups, has_stiffened) ? 1 : 0;
+    agreement_.stop = stop_requested_ ? 1 : 0;
+    agreement_.checkpoint = std::exchange(checkpoint_requested_, false) ? 1 : 0;
+    agreement_.fault =
         model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || ledger_.is_faulty;
-    comm_.sum(step_.integers());
+    comm_.sum(agreement_.integers());
     model_.exchange.finish(model_.nodes.force);
 }
 
 void Simulation::apply_agreement() {
     for (std::size_t kind = 0; kind < contact_kinds; ++kind)
-        sliding_[kind].book(step_.sliding_released[kind], step_.sliding_wanted[kind]);
-    const Vec3 on_part = model_.assembly.value(step_.projectile_force);
+        sliding_[kind].book(agreement_.sliding_released[kind], agreement_.sliding_wanted[kind]);
+    const Vec3 on_part = model_.assembly.value(agreement_.projectile_force);
     projectile_force_ = without_mirrored(multiplicity_ * on_part) + frame_force_;
     if (projectile_force_ != Vec3::Zero()) counts_.touched = true, counts_.last_touched = clock_.time;
-    search_.any_eroded = search_.any_eroded || step_.eroded > 0;
-    search_.is_outdated = step_.eroded > 0 || step_.left_skin > 0;
-    if (step_.fault == 0) return;
+    search_.any_eroded = search_.any_eroded || agreement_.eroded > 0;
+    search_.is_outdated = agreement_.eroded > 0 || agreement_.left_skin > 0;
+    if (agreement_.fault == 0) return;
     // The state before these forces is shown.
     std::ranges::fill(model_.nodes.force, FixedVector{});
     projectile_force_.setZero();
@@ -289,7 +289,7 @@ void Simulation::adapt_time_step() {
     const Timed timed(seconds_, Phase::elements);
     const double omega_squared = step_bound_.frequency_squared(model_, contact_.pairs, comm_);
     step_bound_.set_triggers(model_);
-    next_check_ = clock_.steps + step_bound_.steps_to_next();
+    next_adaptation_ = clock_.steps + step_bound_.steps_to_next();
     const double bound = scene_.time.safety * 2 / std::sqrt(omega_squared);
     if (!(bound > 0))
         throw GuardStop(

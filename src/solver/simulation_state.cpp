@@ -9,7 +9,7 @@ namespace weavefront::solver {
 template <class Archive>
 void Simulation::visit_values(Archive& archive) {
     clock_.state(archive);
-    archive("clock.next_check", next_check_);
+    archive("clock.next_adaptation", next_adaptation_);
     if (model_.projectile) {
         auto& [position, velocity] = *model_.projectile;
         archive("projectile.x", position[0]);

@@ -36,7 +36,7 @@ void TextbookStep::advance() {
     advance_elements();
     const bool stiffened =
         std::ranges::any_of(model_.groups, [](const auto& group) { return group->has_stiffened(); });
-    if (stiffened || steps_ >= next_check_) adapt_time_step();
+    if (stiffened || steps_ >= next_adaptation_) adapt_time_step();
     move_nodes();
     ++steps_;
 }
@@ -54,7 +54,7 @@ void TextbookStep::advance_elements() {
 void TextbookStep::adapt_time_step() {
     const double bound = safety_ * 2 / std::sqrt(bound_.frequency_squared(model_, {}, comm_));
     bound_.set_triggers(model_);
-    next_check_ = steps_ + bound_.steps_to_next();
+    next_adaptation_ = steps_ + bound_.steps_to_next();
     if (dt_ > 0 && dt_ <= bound && bound < worth_raising * dt_) return;
     dt_ = bound;
     for (const auto& group : model_.groups) group->set_time_step(dt_);

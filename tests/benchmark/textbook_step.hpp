@@ -36,7 +36,7 @@ class TextbookStep {
     solver::StepBound bound_;
     shell::AlignedVector<double> pack_forces_;
     double dt_ = 0, last_dt_ = 0;
-    std::int64_t steps_ = 0, next_check_ = 0;
+    std::int64_t steps_ = 0, next_adaptation_ = 0;
 };
 
 }  // namespace weavefront::benchmark

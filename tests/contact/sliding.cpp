@@ -61,8 +61,8 @@ Rebound meet_plane(const scene::Projectile& projectile, double unloading, double
         contact.update_candidates(plies.surface, contact::SweptBounds(plies.x),
                                   contact::SweptBounds({&state.position, 1}).of_node(0), 1e-3);
         forces.clear();
-        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, at_rest, state, dt, account.share(),
-                         forces);
+        contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, at_rest, state, dt,
+                         account.sliding_share(), forces);
         book(account, forces);
         for (const auto& pair : forces.pairs) state.velocity -= dt / mass * pair.total;
         state.position += dt * state.velocity;
@@ -111,7 +111,7 @@ Rebound bounce_on_waves(double unloading, const Vec3& sliding, int facets, bool 
             contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), plies.x, 1.5e-3);
         forces.clear();
         contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, step > 0 ? step_length : 0,
-                         account.share(), forces);
+                         account.sliding_share(), forces);
         book(account, forces);
         Vec3 force = Vec3::Zero();
         for (const auto& pair : forces.pairs) force += pair.total;

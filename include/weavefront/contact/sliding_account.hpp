@@ -16,7 +16,7 @@ class SlidingAccount {
   public:
     /// Part of the overlap caused by sliding that may press in the next step, from the demand of the last
     /// one.
-    [[nodiscard]] double share() const {
+    [[nodiscard]] double sliding_share() const {
         if (balance_ <= 0) return 0;
         return wanted_ <= balance_ ? 1 : static_cast<double>(balance_) / static_cast<double>(wanted_);
     }

@@ -51,8 +51,8 @@ class Assembly {
                   const double* forces, std::size_t lanes, std::vector<FixedVector>& sums) const;
     void add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces, std::size_t lane,
                   std::vector<FixedVector>& sums, std::int32_t element);
-    void share(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces,
-               const FixedVector& total, std::vector<FixedVector>& sums) const;
+    void distribute(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces,
+                    const FixedVector& total, std::vector<FixedVector>& sums) const;
 
     parallel::FixedPoint scale_;
     std::int32_t faulty_element_ = -1;

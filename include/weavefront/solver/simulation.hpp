@@ -62,8 +62,8 @@ class Simulation {
     void request_stop() { stop_requested_ = true; }
     void request_checkpoint() { checkpoint_requested_ = true; }
     /// Whether a rank had asked for it before the last `advance_forces`.
-    [[nodiscard]] bool is_stop_agreed() const { return step_.stop > 0; }
-    [[nodiscard]] bool is_checkpoint_agreed() const { return step_.checkpoint > 0; }
+    [[nodiscard]] bool is_stop_agreed() const { return agreement_.stop > 0; }
+    [[nodiscard]] bool is_checkpoint_agreed() const { return agreement_.checkpoint > 0; }
 
     /// The state between integrate and advance_forces, from which a run goes on with the same bits on any
     /// number of ranks. @note Collective
@@ -173,9 +173,9 @@ class Simulation {
     std::vector<std::size_t> held_;  // nodes with a support
 
     Clock clock_;
-    std::int64_t next_check_ = 0;  // step at which the time step is adapted again
+    std::int64_t next_adaptation_ = 0;  // step at which the time step is adapted again
     bool stop_requested_ = false, checkpoint_requested_ = false;  // by this rank
-    StepAgreement step_;  // of this rank while forces are computed, then of all ranks
+    StepAgreement agreement_;  // of this rank while forces are computed, then of all ranks
 
     Vec3 projectile_force_{0, 0, 0},
         frame_force_{0, 0, 0};  // on the projectile: of all, and of the frame alone, N

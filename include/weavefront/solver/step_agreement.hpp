@@ -17,7 +17,7 @@ struct StepAgreement {
     std::array<std::int64_t, 3> projectile_force{};  ///< of the scale of the forces
     std::int64_t eroded = 0;                         ///< elements in this step
     std::int64_t left_skin = 0;                      ///< a node has left its swept bounds
-    std::int64_t check_due = 0;                      ///< the time step has to be adapted at once
+    std::int64_t adaptation_due = 0;                 ///< the time step has to be adapted at once
     std::int64_t stop = 0;                           ///< the run has to end
     std::int64_t checkpoint = 0;                     ///< the state has to be written
     std::int64_t fault = 0;                          ///< a force or an energy is not finite, or out of range

@@ -16,6 +16,8 @@ constexpr auto patience = std::chrono::seconds(5);
 // Ranks that do not fail first end what they are at, such as a write to a slow disk.
 constexpr auto patience_in_agreement = std::chrono::seconds(10);
 constexpr auto between_looks = std::chrono::milliseconds(1);
+// MPICH's mpiexec drops what it has not read yet of a rank's messages when a rank calls MPI_Abort.
+constexpr auto time_to_be_read = std::chrono::milliseconds(300);
 
 /// Waits, asleep, for a request that the other ranks take part in. A rank with a failure waits for some time
 /// only.
@@ -50,6 +52,7 @@ void tell_failure(const std::string& message) {
 }
 
 void end_all_ranks() {
+    std::this_thread::sleep_for(time_to_be_read);
     MPI_Abort(MPI_COMM_WORLD, 3);
     std::abort();
 }

@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import subprocess
 import time
 
@@ -32,6 +33,8 @@ LONG = (
     "output.interval=20 us",
     "output.history=5 us",
 )
+# What a launcher makes of a killed rank (Open MPI 137, MPICH 9), and its own status when it is killed itself.
+KILLED = (128 + signal.SIGKILL, signal.SIGKILL, -signal.SIGKILL)
 FILES = {"history.csv", "results.vtkhdf", "summary.json", "run.log"}
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "command_line"))
 
-from small_run import Program, errors_of, processes_of  # noqa: E402, F401
+from small_run import KILLED, Program, errors_of, is_open_mpi, processes_of  # noqa: E402, F401
 
 SKIPPED = 77
 SECONDS = 20  # until all ranks are gone, on a busy machine; alone it takes two

@@ -11,7 +11,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from perforation import PERFORATION, Program, differences, errors_of, processes_of, start, whole_run
+from perforation import KILLED, PERFORATION, Program, differences, errors_of, processes_of, start, whole_run
 
 
 def is_alive(folder):
@@ -65,7 +65,7 @@ def killed_until_it_ends(program, output, whole, kills, seconds, random_number):
             for path in folder.iterdir():
                 path.unlink()
         else:
-            assert process.returncode in (-signal.SIGKILL, 137, 1) and not errors_of(text), (
+            assert process.returncode in (*KILLED, 1) and not errors_of(text), (
                 options,
                 process.returncode,
                 text,

@@ -8,6 +8,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1] / "command_line"))
 
 from small_run import (
+    KILLED,
     Program,
     errors_of,
     is_open_mpi,

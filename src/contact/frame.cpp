@@ -11,12 +11,12 @@ FrameShape::FrameShape(const scene::Frame& frame, double top, double offset)
         if (half) *half -= offset;
 }
 
-std::optional<Depth> FrameShape::depth_in_bar(const Vec3& point, int axis, double outward) const {
+std::optional<body::Depth> FrameShape::depth_in_bar(const Vec3& point, int axis, double outward) const {
     const auto& half = half_opening_[static_cast<std::size_t>(axis)];
     if (!half) return std::nullopt;
     const double below_top = point.z() - top_, behind_side = outward * point[axis] - *half;
     if (below_top <= 0 || behind_side <= 0) return std::nullopt;
-    Depth found{std::min(below_top, behind_side), Vec3::Zero()};
+    body::Depth found{std::min(below_top, behind_side), Vec3::Zero()};
     const double into_x = edge_ - behind_side, into_z = edge_ - below_top;
     if (into_x > 0 && into_z > 0) {
         const double distance = std::sqrt(into_x * into_x + into_z * into_z);
@@ -31,8 +31,8 @@ std::optional<Depth> FrameShape::depth_in_bar(const Vec3& point, int axis, doubl
     return found.depth > 0 ? std::optional(found) : std::nullopt;
 }
 
-std::optional<Depth> FrameShape::depth(const Vec3& point) const {
-    std::optional<Depth> deepest;
+std::optional<body::Depth> FrameShape::depth(const Vec3& point) const {
+    std::optional<body::Depth> deepest;
     for (int axis = 0; axis < 2; ++axis) {
         const auto found = depth_in_bar(point, axis, point[axis] < 0 ? -1 : 1);
         if (found && (!deepest || found->depth > deepest->depth)) deepest = found;

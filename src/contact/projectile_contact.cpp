@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace weavefront::contact {
 
 namespace {
 
-/// Whether no point of a box is within a margin of the projectile.
-bool is_apart(const ProjectileShape& shape, const ProjectileState& projectile, const Box& box,
+/// Whether no point of a box is within a margin of the inflated projectile.
+bool is_apart(const body::Bounds& bounds, double offset, const ProjectileState& projectile, const Box& box,
               double margin) {
-    const Vec3 low(-shape.radius(), -shape.radius(), shape.rear()),
-        high(shape.radius(), shape.radius(), shape.front());
+    const Vec3 low = bounds.low - Vec3::Constant(offset), high = bounds.high + Vec3::Constant(offset);
     const Box around{projectile.position + low - Vec3::Constant(margin),
                      projectile.position + high + Vec3::Constant(margin)};
     return !box.meets(around);
@@ -19,14 +19,18 @@ bool is_apart(const ProjectileShape& shape, const ProjectileState& projectile, c
 
 }  // namespace
 
-ProjectileContact::ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law,
+ProjectileContact::ProjectileContact(std::shared_ptr<const body::Shape> shape, const scene::ContactLaw& law,
                                      std::optional<double> spacing, const Surface& surface,
                                      std::span<const Vec3> x)
-    : quadrature_(spacing, surface, x), memories_(surface.owned) {
-    for (const auto& ply : surface.plies) {
-        shapes_.emplace_back(projectile, ply.thickness / 2);
-        laws_.emplace_back(law, ply.areal_density);  // damping takes the projectile for infinitely heavy
-    }
+    : shape_(std::move(shape)),
+      bounds_(shape_->bounds()),
+      radius_(shape_->radius()),
+      quadrature_(spacing, surface, x),
+      memories_(surface.owned) {
+    for (const auto& ply : surface.plies)
+        plies_.push_back(
+            {ply.thickness / 2,
+             PenaltyLaw(law, ply.areal_density)});  // damping takes the projectile for infinitely heavy
 }
 
 void ProjectileContact::update_candidates(const Surface& surface, const SweptBounds& swept,
@@ -38,7 +42,7 @@ void ProjectileContact::update_candidates(const Surface& surface, const SweptBou
             memories_.forget(f);
             continue;
         }
-        if (way.near(swept.of(facet), shapes_[static_cast<std::size_t>(facet.ply)].radius() + skin))
+        if (way.near(swept.of(facet), radius_ + plies_[static_cast<std::size_t>(facet.ply)].offset + skin))
             candidates_.push_back(f);
     }
 }
@@ -51,30 +55,32 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
         if (!surface.alive[index]) continue;
         const auto& facet = surface.facets[index];
         const auto ply = static_cast<std::size_t>(facet.ply);
-        const auto& shape = shapes_[ply];
+        const auto& [offset, law] = plies_[ply];
+        const double radius = radius_ + offset;
         const auto box = Box::around(facet, x);
-        const Vec3 middle = projectile.position + Vec3(0, 0, (shape.front() + shape.rear()) / 2);
+        const Vec3 middle =
+            projectile.position + Vec3(0, 0, ((bounds_.high.z() + offset) + (bounds_.low.z() - offset)) / 2);
         const RigidPair pair{.facet = facet,
                              .area = surface.areas[index],
                              .rule = quadrature_.rule(f),
-                             .law = laws_[ply],
+                             .law = law,
                              .thickness = surface.plies[ply].thickness,
                              .body = Master::projectile,
                              .away = (box.low + box.high) / 2 - middle,
                              .body_velocity = projectile.velocity};
-        // Points within the margin note their side before they enter the projectile. Before the first step
+        // Points within the margin note their face before they enter the projectile. Before the first step
         // their velocities are not known.
         double fastest = 0;
         for (const auto node : facet.nodes)
             fastest =
                 std::max(fastest, (v[static_cast<std::size_t>(node)] - projectile.velocity).squaredNorm());
-        const double margin = dt > 0 ? 0.01 * shape.radius() + 4 * dt * std::sqrt(fastest) : shape.radius();
-        if (is_apart(shape, projectile, box, margin)) {
+        const double margin = dt > 0 ? 0.01 * radius + 4 * dt * std::sqrt(fastest) : radius;
+        if (is_apart(bounds_, offset, projectile, box, margin)) {
             forget_points(memories_, f);
             continue;
         }
         const auto depth = [&](const Vec3& at, Point& point) {
-            return shape.depth(at - projectile.position, point.side);
+            return shape_->depth(at - projectile.position, offset, point.face);
         };
         const auto of_ply = [&] {
             return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x);

@@ -38,7 +38,7 @@ Vec3 PushDirections::ply_normal(const ShapeFunctions& N, std::size_t i) const {
     return of_ply_ ? at_point(*of_ply_, N, i) : Vec3::Zero();
 }
 
-Vec3 PushDirections::at(const Depth& depth, const ShapeFunctions& N, std::size_t i) const {
+Vec3 PushDirections::at(const body::Depth& depth, const ShapeFunctions& N, std::size_t i) const {
     const Vec3 of_ply = facing(ply_normal(N, i), depth.normal);
     const bool is_resolved = depth.radius * depth.radius >= area_;
     if (!is_resolved) return of_ply;
@@ -46,7 +46,7 @@ Vec3 PushDirections::at(const Depth& depth, const ShapeFunctions& N, std::size_t
     return flat * of_ply + (1 - flat) * depth.normal;
 }
 
-Depth PushDirections::left_behind(const Vec3& away, const ShapeFunctions& N, std::size_t i) const {
+body::Depth PushDirections::left_behind(const Vec3& away, const ShapeFunctions& N, std::size_t i) const {
     const Vec3 of_ply = ply_normal(N, i);
     const Vec3& along = of_ply == Vec3::Zero() ? away : of_ply;
     return {0, (along.dot(away) < 0 ? -1 : 1) * along.normalized()};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "weavefront/body/shape.hpp"
 #include "weavefront/mesh/part.hpp"
 #include "weavefront/parallel/on_root.hpp"
 #include "weavefront/partition/run_decomposition.hpp"
@@ -99,8 +100,8 @@ void build_surface(const scene::Scene& scene, const mesh::Panel& panel, const me
     }
 }
 
-/// The force that strains the stiffest yarns of the largest element by a tenth, or presses contact through
-/// its thickness.
+/// The force that strains the stiffest yarns of the largest element by a tenth, or presses contact
+/// through its thickness.
 double largest_force(const scene::Scene& scene) {
     const auto& target = *scene.target;
     double largest = 0;
@@ -168,8 +169,8 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel,
         model.projectile = contact::ProjectileState{Vec3(p.position[0], p.position[1], p.position[2]),
                                                     Vec3(p.velocity[0], p.velocity[1], p.velocity[2])};
         if (scene.contact.projectile)
-            model.projectile_contact.emplace(p, *scene.contact.projectile, scene.contact.spacing,
-                                             model.surface, model.nodes.x);
+            model.projectile_contact.emplace(body::make_shape(p), *scene.contact.projectile,
+                                             scene.contact.spacing, model.surface, model.nodes.x);
     }
     if (scene.contact.plies && panel.plies.size() > 1)
         model.ply_contact.emplace(*scene.contact.plies, scene.contact.spacing, model.surface, model.nodes.x);

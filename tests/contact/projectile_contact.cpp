@@ -23,7 +23,8 @@ contact::PairForce total(const scene::Projectile& projectile, double spacing, do
                          double thickness) {
     Plies plies;
     plies.add(8, {.z = 0, .thickness = thickness, .areal_density = 0.2}, flat(side, 0));
-    contact::ProjectileContact contact(projectile, elastic, spacing, plies.surface, plies.x);
+    contact::ProjectileContact contact(body::make_shape(projectile), elastic, spacing, plies.surface,
+                                       plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0.013e-3, 0.021e-3, -thickness / 2 - 2.5 * speed * dt}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
@@ -85,7 +86,8 @@ TEST(ProjectileContact, AFastFaceMeetsThePlyUpToItsRim) {
     const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5.38e-3, .length = 10e-3};
     /// Of the first contact, m2.
     const auto area = [&](double gap) {
-        contact::ProjectileContact contact(cylinder, elastic, 0.03e-3, plies.surface, plies.x);
+        contact::ProjectileContact contact(body::make_shape(cylinder), elastic, 0.03e-3, plies.surface,
+                                           plies.x);
         const Positions v(plies.x.size(), Vec3::Zero());
         contact::ProjectileState state{{0.013e-3, 0.021e-3, -gap}, {0, 0, fast}};
         contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
@@ -110,7 +112,7 @@ Vec3 push_on_leaning_ply(std::optional<double> spacing, double angle) {
         return Vec3(2e-3 * (u - 0.5) * along + Vec3(0, 2e-3 * (v - 0.5), 0));
     });
     const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5e-3, .length = 10e-3};
-    contact::ProjectileContact contact(cylinder, elastic, spacing, plies.surface, plies.x);
+    contact::ProjectileContact contact(body::make_shape(cylinder), elastic, spacing, plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0, 0, -1.1e-3}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
@@ -140,7 +142,7 @@ TEST(ProjectileContact, TouchesNothingBesideItsFootprintOrEroded) {
     Plies plies;
     plies.add(8, {.z = 0, .thickness = 0, .areal_density = 0.2}, flat(side, 0));
     const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5e-3, .length = 10e-3};
-    contact::ProjectileContact contact(cylinder, elastic, 0.25e-3, plies.surface, plies.x);
+    contact::ProjectileContact contact(body::make_shape(cylinder), elastic, 0.25e-3, plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
     contact::ProjectileState state{{0, 0, -0.5e-6}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);

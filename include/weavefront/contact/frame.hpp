@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "weavefront/contact/depth.hpp"
+#include "weavefront/body/depth.hpp"
 #include "weavefront/mesh/vec3.hpp"
 #include "weavefront/scene/scene.hpp"
 
@@ -19,11 +19,11 @@ class FrameShape {
     FrameShape(const scene::Frame& frame, double top, double offset);
 
     /// Depth of a point; none outside. @param point m
-    [[nodiscard]] std::optional<Depth> depth(const Vec3& point) const;
+    [[nodiscard]] std::optional<body::Depth> depth(const Vec3& point) const;
     /// Depth of a point in one bar; none outside.
     /// @param axis    direction of the opening that the bar limits: 0 x, 1 y
     /// @param outward 1 or -1: the side of the opening on which the bar stands
-    [[nodiscard]] std::optional<Depth> depth_in_bar(const Vec3& point, int axis, double outward) const;
+    [[nodiscard]] std::optional<body::Depth> depth_in_bar(const Vec3& point, int axis, double outward) const;
 
     /// Whether a box may hold a point inside a bar. @param low, high corners, m
     [[nodiscard]] bool may_touch(const Vec3& low, const Vec3& high) const;

@@ -3,12 +3,14 @@
 /// Contact between the projectile and the fabric, on the rank that owns the element.
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "weavefront/body/shape.hpp"
 #include "weavefront/contact/facet_quadrature.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
-#include "weavefront/contact/projectile.hpp"
 #include "weavefront/contact/rigid_pressure.hpp"
 #include "weavefront/contact/surface.hpp"
 #include "weavefront/contact/swept_bounds.hpp"
@@ -25,8 +27,9 @@ struct ProjectileState {
 /// at the nodes pushes along the normals of the projectile.
 class ProjectileContact {
   public:
-    /// @param x initial positions, for the integration points, m
-    ProjectileContact(const scene::Projectile& projectile, const scene::ContactLaw& law,
+    /// @param shape of the projectile
+    /// @param x     initial positions, for the integration points, m
+    ProjectileContact(std::shared_ptr<const body::Shape> shape, const scene::ContactLaw& law,
                       std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x);
 
     /// Chooses the owned facets that may come under the projectile. They hold until a node or the projectile
@@ -49,7 +52,7 @@ class ProjectileContact {
     /// Owned facets that may come under the projectile before the next search.
     [[nodiscard]] std::span<const std::int32_t> candidates() const { return candidates_; }
 
-    /// Whether an owned facet is in contact, or near enough for its points to have a side.
+    /// Whether an owned facet is in contact, or near enough for its points to have a face.
     [[nodiscard]] bool touches(std::int32_t facet) const {
         const auto* memory = memories_.find(facet);
         return memory && !memory->points.empty();
@@ -67,19 +70,27 @@ class ProjectileContact {
   private:
     struct Point {
         Penetration penetration;
-        Side side = Side::none;
+        body::Face face = 0;
 
         template <class Archive>
         void state(Archive& archive) {
             penetration.state(archive);
-            auto number = static_cast<double>(side);
-            archive("side", number);
-            side = static_cast<Side>(number);
+            auto number = static_cast<double>(face);
+            archive("face", number);
+            face = static_cast<body::Face>(number);
         }
     };
 
-    std::vector<ProjectileShape> shapes_;  ///< by ply: inflated by its thickness
-    std::vector<PenaltyLaw> laws_;         ///< by ply
+    /// What the projectile is to a ply.
+    struct OfPly {
+        double offset;  ///< distance from the projectile at which the mid-surface touches it, m
+        PenaltyLaw law;
+    };
+
+    std::shared_ptr<const body::Shape> shape_;
+    body::Bounds bounds_;  ///< of the shape, m
+    double radius_;        ///< of the shape about its axis, m
+    std::vector<OfPly> plies_;
     FacetQuadrature quadrature_;
     std::vector<std::int32_t> candidates_;      ///< owned facets
     FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets

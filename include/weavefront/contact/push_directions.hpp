@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
+#include "weavefront/body/depth.hpp"
 #include "weavefront/contact/bilinear_quad.hpp"
-#include "weavefront/contact/depth.hpp"
 #include "weavefront/mesh/vec3.hpp"
 
 namespace weavefront::contact {
@@ -33,11 +33,11 @@ class PushDirections {
 
     /// Direction at a point in the body. Between the two normals its length is below 1.
     /// @param N shape functions, [corner]
-    [[nodiscard]] Vec3 at(const Depth& depth, const ShapeFunctions& N, std::size_t i) const;
+    [[nodiscard]] Vec3 at(const body::Depth& depth, const ShapeFunctions& N, std::size_t i) const;
 
     /// Depth 0 of a point that has just left the body, where the body has no normal.
     /// @param away direction from the body to the facet, of any length
-    [[nodiscard]] Depth left_behind(const Vec3& away, const ShapeFunctions& N, std::size_t i) const;
+    [[nodiscard]] body::Depth left_behind(const Vec3& away, const ShapeFunctions& N, std::size_t i) const;
 
   private:
     [[nodiscard]] Vec3 ply_normal(const ShapeFunctions& N, std::size_t i) const;

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/body/depth.hpp"
 #include "weavefront/contact/contact_forces.hpp"
-#include "weavefront/contact/depth.hpp"
 #include "weavefront/contact/facet_memory.hpp"
 #include "weavefront/contact/nodal_motion.hpp"
 #include "weavefront/contact/penalty.hpp"
@@ -82,7 +82,7 @@ void press(const RigidPair& pair, const NodalMotion& nodes, double sliding_share
         for (std::size_t i = 0; i < batch.count; ++i) {
             auto& point = points[b * batch_width + i];
             const Vec3 place(position.x[i], position.y[i], position.z[i]);
-            const std::optional<Depth> found = depth(place, point);
+            const std::optional<body::Depth> found = depth(place, point);
             if (!found && point.penetration.overlap == 0) continue;
             if (found)
                 forces.deepest.include({found->depth, found->depth / pair.thickness, place, pair.facet.id});

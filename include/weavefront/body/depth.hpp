@@ -4,7 +4,7 @@
 
 #include "weavefront/mesh/vec3.hpp"
 
-namespace weavefront::contact {
+namespace weavefront::body {
 
 /// Depth of a point below a surface.
 struct Depth {
@@ -13,4 +13,4 @@ struct Depth {
     double radius = 0;  ///< of curvature of a round body, m; 0: edge or flat face
 };
 
-}  // namespace weavefront::contact
+}  // namespace weavefront::body

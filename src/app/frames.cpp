@@ -41,6 +41,32 @@ bool wanted(const std::vector<scene::Field>& fields, scene::Field field) {
     return std::find(fields.begin(), fields.end(), field) != fields.end();
 }
 
+/// Of the points of the projectile's surface, xyz xyz ...
+struct SurfaceMotion {
+    std::vector<double> points, displacements, velocities;  ///< m, m, m/s
+};
+
+SurfaceMotion surface_motion(const solver::Simulation& simulation, const io::Surface& surface) {
+    SurfaceMotion all;
+    const auto& projectile = simulation.model().projectile;
+    if (!projectile) return all;
+    const auto& initial = simulation.initial_projectile();
+    body::Motion motion{projectile->centre(), simulation.projectile_velocity(), {0, 0, 0}};
+    if (projectile->turns()) motion.angular_velocity = simulation.projectile_angular_velocity();
+    const auto append = [](std::vector<double>& values, const Vec3& vector) {
+        values.insert(values.end(), {vector.x(), vector.y(), vector.z()});
+    };
+    for (const auto& [x, y, z] : surface.points) {
+        const Vec3 turned = projectile->attitude().to_space({x, y, z}),
+                   point = turned + projectile->position();
+        append(all.points, point);
+        append(all.displacements, (projectile->position() - initial.position()) +
+                                      (turned - initial.attitude().to_space({x, y, z})));
+        append(all.velocities, motion.at(point));
+    }
+    return all;
+}
+
 }  // namespace
 
 io::Topology topology_of(const solver::Simulation& simulation) {
@@ -58,7 +84,8 @@ io::Topology topology_of(const solver::Simulation& simulation) {
     return topology;
 }
 
-io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Field>& fields) {
+io::Frame frame_of(solver::Simulation& simulation, const io::Surface& surface,
+                   const std::vector<scene::Field>& fields) {
     const auto& fabric = simulation.joined_fabric();
     const auto& model = std::as_const(simulation).model();
     const auto& nodes = model.nodes;
@@ -74,26 +101,17 @@ io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Fiel
         return values;
     };
     frame.points = vectors([&](std::size_t n) { return nodes.x[n]; });
-    Vec3 travel = Vec3::Zero(), velocity = Vec3::Zero();
-    if (model.projectile) {
-        const auto& p = *model.projectile;
-        frame.projectile = {p.position.x(), p.position.y(), p.position.z()};
-        travel = p.position - simulation.initial_projectile();
-        velocity = simulation.projectile_velocity();
-    }
+    const auto of_surface = surface_motion(simulation, surface);
+    frame.projectile = of_surface.points;
     if (wanted(fields, scene::Field::displacement))
-        frame.point_data.push_back(
-            {"displacement",
-             3,
-             false,
-             vectors([&](std::size_t n) -> Vec3 { return nodes.x[n] - nodes.initial[n]; }),
-             {travel.x(), travel.y(), travel.z()}});
+        frame.point_data.push_back({"displacement", 3, false, vectors([&](std::size_t n) -> Vec3 {
+                                        return nodes.x[n] - nodes.initial[n];
+                                    }),
+                                    of_surface.displacements});
     if (wanted(fields, scene::Field::velocity))
-        frame.point_data.push_back({"velocity",
-                                    3,
-                                    false,
+        frame.point_data.push_back({"velocity", 3, false,
                                     vectors([&](std::size_t n) { return simulation.velocity(n); }),
-                                    {velocity.x(), velocity.y(), velocity.z()}});
+                                    of_surface.velocities});
 
     std::vector<CellField> cells;
     for (const auto& field : cell_fields())

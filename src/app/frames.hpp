@@ -14,7 +14,10 @@ io::Topology topology_of(const solver::Simulation& simulation);
 
 /// The present state, with the fields that the scene asks for, velocities as of this time; between
 /// advance_forces and integrate. Numbers that are not finite, as a run stopped by the guard may hold, stay
-/// so: the file refuses them. @note Collective
-io::Frame frame_of(solver::Simulation& simulation, const std::vector<scene::Field>& fields);
+/// so: the file refuses them.
+/// @param surface of the projectile, in its axes
+/// @note Collective
+io::Frame frame_of(solver::Simulation& simulation, const io::Surface& surface,
+                   const std::vector<scene::Field>& fields);
 
 }  // namespace weavefront::app

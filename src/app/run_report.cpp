@@ -116,7 +116,17 @@ io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     row.debris_elements = b.debris_elements;
     row.debris_mass = b.debris_mass;
     row.debris_displacement = b.debris_displacement;
+    if (b.turning)
+        row.rotation = io::Rotation{b.turning->attitude, array_of(b.turning->angular_velocity),
+                                    array_of(b.turning->moment)};
     return row;
+}
+
+io::HistoryRow history_layout(const solver::Simulation& simulation) {
+    io::HistoryRow layout;
+    const auto& projectile = simulation.model().projectile;
+    if (projectile && projectile->turns()) layout.rotation.emplace();
+    return layout;
 }
 
 RunReport::RunReport(const scene::Scene& scene, const parallel::Communicator& comm, io::Log& log)
@@ -144,7 +154,7 @@ void RunReport::start(const solver::Simulation& simulation) {
         log_.info(fmt::format("  projectile    {} of {:.4g} g, {:.4g} mm across, {:.6g} m/s",
                               scene_.projectile->shape == scene::Shape::sphere ? "sphere" : "cylinder",
                               scene_.projectile->mass * 1e3, scene_.projectile->diameter * 1e3,
-                              model.projectile->velocity.norm()));
+                              model.projectile->velocity().norm()));
     log_.info(fmt::format("  ranks         {}, {:.1f} MB in all for mesh and fabric", comm_.size(),
                           static_cast<double>(bytes[0]) / 1e6));
     log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us",
@@ -165,7 +175,7 @@ void RunReport::tell_lack_of_shared_memory(const solver::Simulation& simulation)
 
 std::string RunReport::projectile_text(const solver::Simulation& simulation) {
     const auto& projectile = simulation.model().projectile;
-    return projectile ? fmt::format("projectile {:.1f} m/s", projectile->velocity.z()) : "";
+    return projectile ? fmt::format("projectile {:.1f} m/s", projectile->velocity().z()) : "";
 }
 
 void RunReport::rebalanced(const solver::Simulation& simulation, const solver::Rebalancing& rebalancing) {

@@ -17,6 +17,8 @@ namespace weavefront::app {
 
 /// A balance as a row of history.csv. @param columns of elements, which all plies have
 io::HistoryRow row_of(const solver::Balance& balance, std::int64_t columns);
+/// A row with the parts that all rows of the run have.
+io::HistoryRow history_layout(const solver::Simulation& simulation);
 
 /// How a run has ended and why.
 struct Ending {

@@ -30,7 +30,8 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
                              laws_[ply],
                              surface.plies[ply].thickness,
                              Master::frame,
-                             {0, 0, -1}};
+                             {0, 0, -1},
+                             {}};
         const auto of_ply = [&] {
             return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x);
         };

@@ -26,23 +26,27 @@ ProjectileOnFrame::ProjectileOnFrame(const scene::Projectile& projectile, const 
       law_(law, projectile.mass / area_),
       bars_{Bar{0, 1, {}}, Bar{0, -1, {}}, Bar{1, 1, {}}, Bar{1, -1, {}}} {}
 
-Vec3 ProjectileOnFrame::evaluate(const ProjectileState& projectile, double dt) {
-    Vec3 force = Vec3::Zero();
+body::Wrench ProjectileOnFrame::evaluate(const body::RigidBody& projectile, double dt) {
+    const auto velocities = projectile.motion();
+    body::Wrench wrench;
     for (auto& bar : bars_) {
-        Vec3 point = projectile.position - Vec3(0, 0, inset_);
+        Vec3 point = projectile.position() - Vec3(0, 0, inset_);
         point[bar.axis] += bar.outward * reach_;
         const auto found = shape_.depth_in_bar(point, bar.axis, bar.outward);
         if (!found) {
             bar.penetration = {};
             continue;
         }
-        const double closing = -projectile.velocity.dot(found->normal);
-        const RelativeMotion motion{closing, closing, projectile.velocity.norm()};
+        const Vec3 velocity = velocities.at(point);
+        const double closing = -velocity.dot(found->normal);
+        const RelativeMotion motion{closing, closing, velocity.norm()};
         const auto response = law_.advance(bar.penetration, found->depth, motion, dt, 1,
                                            {.dissipated_budget = 0, .sliding_share = 1});
-        force += response.pressure * area_ * found->normal;
+        const Vec3 force = response.pressure * area_ * found->normal;
+        wrench.force += force;
+        wrench.moment += (point - velocities.centre).cross(force);
     }
-    return force;
+    return wrench;
 }
 
 }  // namespace weavefront::contact

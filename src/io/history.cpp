@@ -22,38 +22,52 @@ struct Column {
 
 // The order is that of the file.
 std::vector<Column> columns(const HistoryRow& row) {
-    return {{"time", row.time},
-            {"projectile_x", row.projectile[0]},
-            {"projectile_y", row.projectile[1]},
-            {"projectile_z", row.projectile[2]},
-            {"projectile_vx", row.projectile_velocity[0]},
-            {"projectile_vy", row.projectile_velocity[1]},
-            {"projectile_vz", row.projectile_velocity[2]},
-            {"contact_fx", row.contact_force[0]},
-            {"contact_fy", row.contact_force[1]},
-            {"contact_fz", row.contact_force[2]},
-            {"kinetic_fabric", row.kinetic_fabric},
-            {"kinetic_projectile", row.kinetic_projectile},
-            {"internal", row.internal},
-            {"hourglass", row.hourglass},
-            {"contact", row.contact},
-            {"friction", row.friction},
-            {"damping", row.damping},
-            {"external", row.external},
-            {"eroded", row.eroded},
-            {"energy_error", row.energy_error},
-            {"broken_yarns", row.broken_yarns},
-            {"eroded_elements", row.eroded_elements},
-            {"max_displacement", row.max_displacement},
-            {"time_step", row.time_step},
-            {"back_face_deflection", row.back_face_deflection},
-            {"penetration", row.penetration},
-            {"penetration_x", row.penetration_at[0]},
-            {"penetration_y", row.penetration_at[1]},
-            {"penetration_ply", row.penetration_ply},
-            {"debris_elements", row.debris_elements},
-            {"debris_mass", row.debris_mass},
-            {"debris_displacement", row.debris_displacement}};
+    std::vector<Column> all{{"time", row.time},
+                            {"projectile_x", row.projectile[0]},
+                            {"projectile_y", row.projectile[1]},
+                            {"projectile_z", row.projectile[2]},
+                            {"projectile_vx", row.projectile_velocity[0]},
+                            {"projectile_vy", row.projectile_velocity[1]},
+                            {"projectile_vz", row.projectile_velocity[2]},
+                            {"contact_fx", row.contact_force[0]},
+                            {"contact_fy", row.contact_force[1]},
+                            {"contact_fz", row.contact_force[2]},
+                            {"kinetic_fabric", row.kinetic_fabric},
+                            {"kinetic_projectile", row.kinetic_projectile},
+                            {"internal", row.internal},
+                            {"hourglass", row.hourglass},
+                            {"contact", row.contact},
+                            {"friction", row.friction},
+                            {"damping", row.damping},
+                            {"external", row.external},
+                            {"eroded", row.eroded},
+                            {"energy_error", row.energy_error},
+                            {"broken_yarns", row.broken_yarns},
+                            {"eroded_elements", row.eroded_elements},
+                            {"max_displacement", row.max_displacement},
+                            {"time_step", row.time_step},
+                            {"back_face_deflection", row.back_face_deflection},
+                            {"penetration", row.penetration},
+                            {"penetration_x", row.penetration_at[0]},
+                            {"penetration_y", row.penetration_at[1]},
+                            {"penetration_ply", row.penetration_ply},
+                            {"debris_elements", row.debris_elements},
+                            {"debris_mass", row.debris_mass},
+                            {"debris_displacement", row.debris_displacement}};
+    if (row.rotation) {
+        const auto& [attitude, angular_velocity, moment] = *row.rotation;
+        all.insert(all.end(), {{"projectile_qw", attitude[0]},
+                               {"projectile_qx", attitude[1]},
+                               {"projectile_qy", attitude[2]},
+                               {"projectile_qz", attitude[3]},
+                               {"projectile_wx", angular_velocity[0]},
+                               {"projectile_wy", angular_velocity[1]},
+                               {"projectile_wz", angular_velocity[2]},
+                               {"contact_mx", moment[0]},
+                               {"contact_my", moment[1]},
+                               {"contact_mz", moment[2]}});
+    }
+    return all;
 }
 
 std::string cell(const Column& column, double time) {
@@ -67,9 +81,9 @@ std::string cell(const Column& column, double time) {
 
 }  // namespace
 
-std::string history_header() {
+std::string history_header(const HistoryRow& layout) {
     std::vector<std::string> names;
-    for (const auto& column : columns({})) names.emplace_back(column.name);
+    for (const auto& column : columns(layout)) names.emplace_back(column.name);
     return fmt::format("{}", fmt::join(names, ","));
 }
 
@@ -79,11 +93,13 @@ std::string history_line(const HistoryRow& row) {
     return fmt::format("{}", fmt::join(cells, ","));
 }
 
-History::History(const std::filesystem::path& path, const parallel::Communicator& comm) : comm_(&comm) {
+History::History(const std::filesystem::path& path, const HistoryRow& layout,
+                 const parallel::Communicator& comm)
+    : comm_(&comm) {
     Agreement agreement(comm);
     agreement.attempt_on_root([&] {
         file_ = std::make_unique<NewFile>(path);
-        append(history_header());
+        append(history_header(layout));
     });
     agreement.settle<FileError>();
 }

@@ -253,10 +253,8 @@ class Results::File {
     void write_arrays(const Frame& frame, Agreement& agreement) const {
         const auto first_point = frames_ * sizes_.all_points() + nodes_.first();
         const auto first_cell = frames_ * sizes_.all_cells() + elements_.first();
-        std::vector<double> surface;
-        for (const auto& point : setup_.surface.points)
-            for (std::size_t i = 0; i < 3; ++i) surface.push_back(point[i] + frame.projectile[i]);
-        const auto points = with_rows_of_last_rank(comm_, nodes_.to_block<double>(frame.points, 3), surface);
+        const auto points =
+            with_rows_of_last_rank(comm_, nodes_.to_block<double>(frame.points, 3), frame.projectile);
         agreement.attempt([&] { arrays_->points.write(arrays_->file, first_point, points); });
 
         for (std::size_t i = 0; i < arrays_->point_data.size(); ++i)
@@ -275,11 +273,8 @@ class Results::File {
 
     void write_array(const DatasetRows& rows, const Array& array, const BlockExchange& exchange,
                      std::int64_t first, std::size_t surface_items, Agreement& agreement) const {
-        auto item = array.projectile;
-        item.resize(static_cast<std::size_t>(array.components), 0.0);
-        std::vector<double> surface;
-        for (std::size_t i = 0; i < surface_items; ++i)
-            surface.insert(surface.end(), item.begin(), item.end());
+        auto surface = array.projectile;
+        surface.resize(surface_items * static_cast<std::size_t>(array.components), 0.0);
         const auto values =
             with_rows_of_last_rank(comm_, exchange.to_block<double>(array.values, array.components), surface);
         agreement.attempt([&] {

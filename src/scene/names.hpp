@@ -29,6 +29,9 @@ inline constexpr Names<Edge, 6> edge_names{{{"fixed", Edge::fixed},
                                             {"clamped", Edge::fixed},
                                             {"pinned", Edge::fixed}}};
 inline constexpr Names<Shape, 2> shape_names{{{"cylinder", Shape::cylinder}, {"sphere", Shape::sphere}}};
+/// What of the projectile's motion is held.
+enum class Fixed { nothing, rotation };
+inline constexpr Names<Fixed, 1> fixed_names{{{"rotation", Fixed::rotation}}};
 inline constexpr Names<Stop, 2> stop_names{{{"end", Stop::end}, {"decided", Stop::decided}}};
 inline constexpr Names<std::size_t, 2> axis_names{{{"x", 0}, {"y", 1}}};
 inline constexpr Names<Field, 7> field_names{{{"displacement", Field::displacement},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "attitude.hpp"
 #include "parts.hpp"
 
 namespace weavefront::scene {
@@ -29,13 +30,25 @@ void read_cylinder(Section& section, Projectile& projectile) {
                     at_least_text(2 * projectile.edge_radius, section.unit_of("length", length))));
 }
 
+/// How far the projectile reaches ahead of its reference point along z, m. A bound: that of the cylinder
+/// around it.
+double reach_ahead(const Projectile& projectile) {
+    const auto across_x = turned_axis(projectile.attitude, 0)[2],
+               across_y = turned_axis(projectile.attitude, 1)[2],
+               along = turned_axis(projectile.attitude, 2)[2];
+    const double radius = projectile.diameter / 2;
+    if (projectile.shape == Shape::sphere) return radius * (1 - along);
+    return radius * std::sqrt(across_x * across_x + across_y * across_y) +
+           std::max(0.0, -along * projectile.length);
+}
+
 // The shot must start in front of the target, hit it, and lie in the planes of symmetry.
-void check_shot(Section& section, const Projectile& projectile, const Target& target, double surface) {
+void check_shot(Section& section, const Projectile& projectile, const Target& target, double foremost) {
     const double rounding = 1e-9;
     const MessageUnit z_unit = section.unit_of("position", length, 2);
     section.refuse_item_if(
-        projectile.position[2] > surface * (1 - rounding), "position", 2,
-        fmt::format("at most {}: the nose starts in front of the first ply", at_most_text(surface, z_unit)));
+        projectile.position[2] > foremost + rounding * std::abs(foremost), "position", 2,
+        fmt::format("at most {}: the nose starts in front of the first ply", at_most_text(foremost, z_unit)));
     section.refuse_item_if(projectile.velocity[2] <= 0, "velocity", 2, "more than 0: towards the target");
     for (const auto& [name, axis] : axis_names) {
         const double half = target.size[axis] / 2;
@@ -68,11 +81,13 @@ Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, co
     const bool hits_fabric = target != nullptr && !target->plies.empty() && target->plies[0].fabric >= 0;
     const double surface =
         hits_fabric ? -fabrics[static_cast<std::size_t>(target->plies[0].fabric)].contact_thickness / 2 : 0;
+    read_attitude(section, projectile, target);
+    const double foremost = surface - reach_ahead(projectile);
     projectile.position =
-        section.vector<3>("position", length, any_value, std::array<double, 3>{0, 0, surface});
+        section.vector<3>("position", length, any_value, std::array<double, 3>{0, 0, foremost});
     projectile.velocity = section.vector<3>("velocity", speed, any_value);
-    if (hits_fabric) check_shot(section, projectile, *target, surface);
-    section.unavailable({"rotation", "angular_velocity", "orientation", "inertia", "friction", "file"});
+    if (hits_fabric) check_shot(section, projectile, *target, foremost);
+    section.unavailable({"friction", "file"});
     return projectile;
 }
 

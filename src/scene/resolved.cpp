@@ -77,7 +77,7 @@ void write_target(std::string& text, const Target& target, const std::vector<Fab
     }
 }
 
-void write_projectile(std::string& text, const Projectile& p) {
+void write_projectile(std::string& text, const Projectile& p, const std::array<bool, 2>& symmetry) {
     line(text, "projectile:");
     line(text, "  shape: {}", name_of(p.shape, shape_names));
     line(text, "  diameter: {} m", p.diameter);
@@ -88,6 +88,13 @@ void write_projectile(std::string& text, const Projectile& p) {
     line(text, "  mass: {} kg", p.mass);
     line(text, "  position: [{} m, {} m, {} m]", p.position[0], p.position[1], p.position[2]);
     line(text, "  velocity: [{} m/s, {} m/s, {} m/s]", p.velocity[0], p.velocity[1], p.velocity[2]);
+    if (p.attitude != std::array<double, 4>{1, 0, 0, 0})
+        line(text, "  orientation: {{quaternion: [{}]}}", fmt::join(p.attitude, ", "));
+    if (p.angular_velocity != std::array<double, 3>{0, 0, 0})
+        line(text, "  angular_velocity: [{} rad/s]", fmt::join(p.angular_velocity, " rad/s, "));
+    if (p.inertia) line(text, "  inertia: [{} kg m^2]", fmt::join(*p.inertia, " kg m^2, "));
+    const bool is_held_by_symmetry = symmetry[0] && symmetry[1];
+    if (!p.turns && !is_held_by_symmetry) line(text, "  fixed: rotation");
 }
 
 void write_law(std::string& text, std::string_view key, const std::optional<ContactLaw>& law) {
@@ -119,7 +126,9 @@ std::string resolved_text(const Scene& scene) {
     line(text, "fabrics:");
     for (const Fabric& fabric : scene.fabrics) write_fabric(text, fabric);
     if (scene.target) write_target(text, *scene.target, scene.fabrics);
-    if (scene.projectile) write_projectile(text, *scene.projectile);
+    if (scene.projectile)
+        write_projectile(text, *scene.projectile,
+                         scene.target ? scene.target->symmetry : std::array{false, false});
     write_contact(text, scene.contact, scene.target && scene.target->frame);
     line(text, "damping: {} 1/s", scene.damping);
     if (scene.time.end > 0)

@@ -29,6 +29,8 @@ inline constexpr Dimension area{"an area", "m^2", "'0.06 mm^2'", &MessageUnits::
 inline constexpr Dimension mass{"a mass", "kg", "'2.8 g'", &MessageUnits::mass};
 inline constexpr Dimension duration{"a time", "s", "'200 us'", &MessageUnits::time};
 inline constexpr Dimension rate{"a rate", "1/s", "'100 1/s'", &MessageUnits::rate};
+inline constexpr Dimension angular_rate{"an angular velocity", "rad/s", "'2000 rad/s' or '30000 rpm'"};
+inline constexpr Dimension moment_of_inertia{"a moment of inertia", "kg m^2", "'20 g mm^2'"};
 inline constexpr Dimension speed{"a velocity", "m/s", "'428 m/s'", &MessageUnits::speed};
 inline constexpr Dimension density{"a density", "kg/m^3", "'1440 kg/m^3'", &MessageUnits::density};
 inline constexpr Dimension areal_density{"an areal density", "kg/m^2", "'204 g/m^2'",

@@ -10,6 +10,7 @@ void Assembly::start(std::vector<FixedVector>& sums) {
     std::ranges::fill(sums, FixedVector{});
     faulty_element_ = -1;
     faulty_contacts_.clear();
+    faulty_moment_ = false;
 }
 
 void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces,
@@ -109,6 +110,16 @@ void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>
         for (std::size_t d = 0; d < 3; ++d) on_projectile[d] += opposite[d];
     else if (pair.kind == contact::Master::facet)
         distribute(pair.master, pair.on_master, opposite, sums);
+}
+
+void Assembly::add_moment(const Vec3& moment, FixedVector& sum) {
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double component = moment[static_cast<Eigen::Index>(d)];
+        if (moment_scale_.fits(component))
+            sum[d] += moment_scale_.from(component);
+        else
+            faulty_moment_ = true;
+    }
 }
 
 }  // namespace weavefront::solver

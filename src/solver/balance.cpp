@@ -153,13 +153,13 @@ const JoinedFabric& Simulation::joined_fabric() const {
 void Simulation::add_projectile(Balance& balance) const {
     if (!model_.projectile) return;
     const auto& p = *model_.projectile;
-    const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
-    balance.projectile = p.position;
+    balance.projectile = p.position();
     balance.projectile_velocity = projectile_velocity();
-    balance.contact_force = projectile_force_;
-    balance.kinetic_projectile = scene_.projectile->mass *
-                                 p.velocity.dot(opposite_velocity(p.velocity, acceleration, clock_.last_dt)) /
-                                 2;
+    balance.contact_force = on_projectile_.force;
+    balance.kinetic_projectile = p.kinetic_energy(on_projectile_, clock_.last_dt);
+    if (p.turns())
+        balance.turning =
+            Turning{p.attitude().quaternion(), projectile_angular_velocity(), on_projectile_.moment};
 }
 
 void Simulation::close(Balance& balance) const {

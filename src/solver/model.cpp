@@ -117,6 +117,44 @@ double largest_force(const scene::Scene& scene) {
     return largest;
 }
 
+Vec3 vector_of(const std::array<double, 3>& components) {
+    return {components[0], components[1], components[2]};
+}
+
+/// Those given, or those of the shape at uniform density.
+body::Inertia inertia_of(const scene::Projectile& projectile, const body::MassProperties& uniform) {
+    body::Inertia inertia{.mass = projectile.mass, .centre = uniform.centroid};
+    for (std::size_t i = 0; i < 3; ++i)
+        inertia.tensor[i] =
+            projectile.inertia
+                ? Vec3((*projectile.inertia)[i] * Vec3::Unit(static_cast<Eigen::Index>(i)))
+                : Vec3(projectile.mass * uniform.inertia.row(static_cast<Eigen::Index>(i)).transpose());
+    return inertia;
+}
+
+/// Largest distance of a corner of the bounds from a point, m.
+double largest_arm(const body::Bounds& bounds, const Vec3& from) {
+    return (bounds.low - from).cwiseAbs().cwiseMax((bounds.high - from).cwiseAbs()).norm();
+}
+
+void build_projectile(const scene::Scene& scene, Model& model) {
+    double arm = 0;
+    if (scene.projectile) {
+        const auto& p = *scene.projectile;
+        const std::shared_ptr<const body::Shape> shape = body::make_shape(p);
+        const auto inertia = inertia_of(p, shape->mass_properties());
+        model.projectile.emplace(inertia, p.turns);
+        model.projectile->place(vector_of(p.position), body::Attitude(p.attitude), vector_of(p.velocity));
+        if (p.turns) model.projectile->spin(vector_of(p.angular_velocity));
+        arm = largest_arm(shape->bounds(), inertia.centre);
+        model.projectile_arm = arm;
+        if (scene.contact.projectile)
+            model.projectile_contact.emplace(shape, *model.projectile, *scene.contact.projectile,
+                                             scene.contact.spacing, model.surface, model.nodes.x);
+    }
+    model.assembly = Assembly(largest_force(scene), arm);
+}
+
 }  // namespace
 
 bool Model::touches(std::int32_t element) const {
@@ -163,15 +201,7 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel,
     lump_mass(scene, panel, part, areas, comm, model);
     build_surface(scene, panel, part, areas, model.surface);
     model.exchange = halo_exchange(model.halo);
-    model.assembly = Assembly(largest_force(scene));
-    if (scene.projectile) {
-        const auto& p = *scene.projectile;
-        model.projectile = contact::ProjectileState{Vec3(p.position[0], p.position[1], p.position[2]),
-                                                    Vec3(p.velocity[0], p.velocity[1], p.velocity[2])};
-        if (scene.contact.projectile)
-            model.projectile_contact.emplace(body::make_shape(p), *scene.contact.projectile,
-                                             scene.contact.spacing, model.surface, model.nodes.x);
-    }
+    build_projectile(scene, model);
     if (scene.contact.plies && panel.plies.size() > 1)
         model.ply_contact.emplace(*scene.contact.plies, scene.contact.spacing, model.surface, model.nodes.x);
     if (scene.target->frame)

@@ -94,11 +94,11 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     counts_.first_break.assign(panel_.plies.size(), std::numeric_limits<double>::max());
     if (model_.projectile) {
-        initial_projectile_ = model_.projectile->position;
-        ledger_.initial_energy = scene.projectile->mass * model_.projectile->velocity.squaredNorm() / 2;
+        initial_projectile_ = *model_.projectile;
+        ledger_.initial_energy = model_.projectile->kinetic_energy({}, 0);
         // A heavy projectile keeps most of its energy: the sums resolve what it can hand over.
-        ledger_.energy_scale = std::min(ledger_.initial_energy,
-                                        most_energy_of_target(scene, model_.projectile->velocity.norm()));
+        ledger_.energy_scale =
+            std::min(ledger_.initial_energy, most_energy_of_target(scene, fastest_point_of_projectile()));
     }
     list_supports();
     ledger_.scale = parallel::FixedPoint(ledger_.energy_scale > 0 ? ledger_.energy_scale : 1);
@@ -124,7 +124,6 @@ void Simulation::integrate() {
     {
         const Timed timed(seconds_, Phase::integrate);
         move_nodes();
-        add_half_step_contact_work(clock_.dt);
         // The contact forces of this step include the facets of elements that eroded in it.
         for (const auto element : just_eroded_) model_.surface.alive[static_cast<std::size_t>(element)] = 0;
         just_eroded_.clear();
@@ -202,8 +201,10 @@ void Simulation::evaluate_contact() {
     book_sliding(of_frame);
     for (const auto& pair : contact_.pairs)
         model_.assembly.add_pair(pair, model_.nodes.force, agreement_.projectile_force);
+    for (const auto& moment : contact_.moments)
+        model_.assembly.add_moment(moment, agreement_.projectile_moment);
     if (model_.projectile_on_frame)
-        frame_force_ =
+        from_frame_ =
             without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, clock_.last_dt));
     add_half_step_contact_work(clock_.last_dt);
     contact_.deepest.time = clock_.time;
@@ -221,9 +222,9 @@ void Simulation::book_sliding(ContactKind kind) {
 /// The force at a time works half of a step with the velocity before it, half with the velocity after it.
 void Simulation::add_half_step_contact_work(double dt) {
     const auto& v = model_.nodes.v;
+    const auto body = model_.projectile ? model_.projectile->motion() : body::Motion();
     for (const auto& pair : contact_.pairs) {
-        double power =
-            pair.kind == contact::Master::projectile ? -pair.total.dot(model_.projectile->velocity) : 0;
+        double power = pair.kind == contact::Master::projectile ? -pair.total.dot(body.velocity) : 0;
         for (std::size_t a = 0; a < 4; ++a) {
             power += pair.on_slave[a].dot(v[static_cast<std::size_t>(pair.slave[a])]);
             if (pair.kind == contact::Master::facet)
@@ -231,9 +232,14 @@ void Simulation::add_half_step_contact_work(double dt) {
         }
         ledger_.add(ledger_.contact, -power * dt / 2);
     }
-    if (frame_force_ != Vec3::Zero() &&
-        comm_.rank() == 0)  // of the whole target, which the ledger has from its part
-        ledger_.add(ledger_.contact, -frame_force_.dot(model_.projectile->velocity) * dt / 2 / multiplicity_);
+    for (const auto& moment : contact_.moments)
+        ledger_.add(ledger_.contact, -moment.dot(body.angular_velocity) * dt / 2);
+    if (from_frame_.force != Vec3::Zero() &&
+        comm_.rank() == 0) {  // of the whole target, which the ledger has from its part
+        double power = from_frame_.force.dot(body.velocity);
+        if (model_.projectile->turns()) power += from_frame_.moment.dot(body.angular_velocity);
+        ledger_.add(ledger_.contact, -power * dt / 2 / multiplicity_);
+    }
 }
 
 /// Sums the forces of shared nodes and the integers of the step. The exchange of forces runs during the
@@ -257,14 +263,16 @@ void Simulation::apply_agreement() {
     for (std::size_t kind = 0; kind < contact_kinds; ++kind)
         sliding_[kind].book(agreement_.sliding_released[kind], agreement_.sliding_wanted[kind]);
     const Vec3 on_part = model_.assembly.value(agreement_.projectile_force);
-    projectile_force_ = without_mirrored(multiplicity_ * on_part) + frame_force_;
-    if (projectile_force_ != Vec3::Zero()) counts_.touched = true, counts_.last_touched = clock_.time;
+    const auto from_fabric = without_mirrored(
+        {multiplicity_ * on_part, multiplicity_ * model_.assembly.moment(agreement_.projectile_moment)});
+    on_projectile_ = {from_fabric.force + from_frame_.force, from_fabric.moment + from_frame_.moment};
+    if (on_projectile_.force != Vec3::Zero()) counts_.touched = true, counts_.last_touched = clock_.time;
     search_.any_eroded = search_.any_eroded || agreement_.eroded > 0;
     search_.is_outdated = agreement_.eroded > 0 || agreement_.left_skin > 0;
     if (agreement_.fault == 0) return;
     // The state before these forces is shown.
     std::ranges::fill(model_.nodes.force, FixedVector{});
-    projectile_force_.setZero();
+    on_projectile_ = {};
     stop_at_fault();
 }
 
@@ -279,10 +287,20 @@ void Simulation::stop_at_fault() const {
                     Fault::force);
 }
 
-Vec3 Simulation::without_mirrored(Vec3 force) const {
-    for (int d = 0; d < 2; ++d)
-        if (panel_.symmetry[static_cast<std::size_t>(d)]) force[d] = 0;  // the mirror image pushes back
-    return force;
+/// The mirror image pushes back, and turns back about every axis but the normal of the plane of symmetry.
+body::Wrench Simulation::without_mirrored(body::Wrench wrench) const {
+    for (int plane = 0; plane < 2; ++plane) {
+        if (!panel_.symmetry[static_cast<std::size_t>(plane)]) continue;
+        wrench.force[plane] = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            if (axis != plane) wrench.moment[axis] = 0;
+    }
+    return wrench;
+}
+
+double Simulation::fastest_point_of_projectile() const {
+    const auto& projectile = *model_.projectile;
+    return projectile.velocity().norm() + projectile.angular_velocity().norm() * model_.projectile_arm;
 }
 
 void Simulation::adapt_time_step() {
@@ -331,22 +349,20 @@ void Simulation::move_nodes() {
     } else {
         move_freely(nodes, model_.assembly.scale(), clock_.velocity_step(), clock_.dt);
     }
-    if (model_.projectile) {
-        model_.projectile->velocity += clock_.velocity_step() / scene_.projectile->mass * projectile_force_;
-        model_.projectile->position += clock_.dt * model_.projectile->velocity;
-    }
+    if (model_.projectile) model_.projectile->accelerate(on_projectile_, clock_.velocity_step());
+    add_half_step_contact_work(clock_.dt);
+    if (model_.projectile) model_.projectile->move(clock_.dt);
     clock_.advance();
-    if (model_.projectile && !counts_.turned_back && model_.projectile->velocity.z() <= 0)
+    if (model_.projectile && !counts_.turned_back && model_.projectile->velocity().z() <= 0)
         counts_.turned_back = clock_.time;
 }
 
 void Simulation::look_for_passages() {
     if (!model_.projectile_contact || clock_.steps % steps_between_passages != 0 || passages_.all()) return;
-    const auto& projectile = *scene_.projectile;
-    const double length = projectile.shape == scene::Shape::sphere ? projectile.diameter : projectile.length;
-    const Vec3 middle = model_.projectile->position - Vec3(0, 0, length / 2);
+    const Vec3 middle = model_.projectile_contact->middle(*model_.projectile),
+               half = model_.projectile_contact->half_extents(*model_.projectile);
     if (middle.z() <= 0) return;  // in front of the first ply as it was
-    passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, projectile.diameter / 2,
+    passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, std::max(half.x(), half.y()),
                    clock_.time, comm_);
 }
 
@@ -357,9 +373,10 @@ CrossedElements Simulation::crossed_elements() const { return elements_behind_wh
 bool Simulation::moved_far() const {
     if (search_.nodes.empty()) return false;
     const double margin = model_.smallest_edge * skin_in_edges * (0.5 - kept_of_skin);
-    return search_.nodes.any_outside(model_.nodes.own_x(), margin) ||
-           (model_.projectile_contact &&
-            search_.projectile.any_outside({&model_.projectile->position, 1}, margin));
+    if (search_.nodes.any_outside(model_.nodes.own_x(), margin)) return true;
+    if (!model_.projectile_contact) return false;
+    const Vec3 of_projectile = model_.projectile_contact->search_point(*model_.projectile);
+    return search_.projectile.any_outside({&of_projectile, 1}, margin);
 }
 
 void Simulation::update_candidates() {
@@ -382,9 +399,9 @@ void Simulation::update_candidates() {
     if (model_.ply_contact)
         model_.ply_contact->update_candidates(model_.surface, search_.nodes, nodes.x, skin);
     if (model_.projectile_contact) {
-        auto& projectile = *model_.projectile;
-        search_.projectile =
-            contact::SweptBounds({&projectile.position, 1}, {&projectile.velocity, 1}, ahead);
+        const Vec3 point = model_.projectile_contact->search_point(*model_.projectile),
+                   velocity = model_.projectile->motion().at(point);
+        search_.projectile = contact::SweptBounds({&point, 1}, {&velocity, 1}, ahead);
         model_.projectile_contact->update_candidates(model_.surface, search_.nodes,
                                                      search_.projectile.of_node(0), skin);
     }
@@ -408,8 +425,14 @@ Vec3 Simulation::velocity(std::size_t node) const {
 }
 
 Vec3 Simulation::projectile_velocity() const {
-    const Vec3 acceleration = projectile_force_ / scene_.projectile->mass;
-    return present_velocity(model_.projectile->velocity, acceleration, clock_.last_dt);
+    const Vec3 acceleration = on_projectile_.force / scene_.projectile->mass;
+    return present_velocity(model_.projectile->velocity(), acceleration, clock_.last_dt);
+}
+
+Vec3 Simulation::projectile_angular_velocity() const {
+    const auto& projectile = *model_.projectile;
+    return projectile.angular_velocity_of(
+        present_velocity(projectile.angular_momentum(), on_projectile_.moment, clock_.last_dt));
 }
 
 }  // namespace weavefront::solver

@@ -10,15 +10,7 @@ template <class Archive>
 void Simulation::visit_values(Archive& archive) {
     clock_.state(archive);
     archive("clock.next_adaptation", next_adaptation_);
-    if (model_.projectile) {
-        auto& [position, velocity] = *model_.projectile;
-        archive("projectile.x", position[0]);
-        archive("projectile.y", position[1]);
-        archive("projectile.z", position[2]);
-        archive("projectile.vx", velocity[0]);
-        archive("projectile.vy", velocity[1]);
-        archive("projectile.vz", velocity[2]);
-    }
+    if (model_.projectile) model_.projectile->state(archive, "projectile");
     if (model_.projectile_on_frame) model_.projectile_on_frame->state(archive, "projectile_on_frame");
     sliding_[of_projectile].state(archive, "sliding.projectile");
     sliding_[of_plies].state(archive, "sliding.plies");

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "surfaces.hpp"
+#include "translating.hpp"
 
 namespace weavefront::test {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr double k = 5e12, side = 8e-3, speed = 100, dt = 1e-8;
 const scene::ContactLaw elastic{.stiffness = k, .unloading = 1, .damping = 0};
 
-contact::Footprint nose(const contact::ProjectileState& state) {
+contact::Footprint nose(const Translating& state) {
     return contact::SweptBounds({&state.position, 1}).of_node(0);
 }
 
@@ -23,10 +24,10 @@ contact::PairForce total(const scene::Projectile& projectile, double spacing, do
                          double thickness) {
     Plies plies;
     plies.add(8, {.z = 0, .thickness = thickness, .areal_density = 0.2}, flat(side, 0));
-    contact::ProjectileContact contact(body::make_shape(projectile), elastic, spacing, plies.surface,
-                                       plies.x);
+    contact::ProjectileContact contact(body::make_shape(projectile), Translating{}, elastic, spacing,
+                                       plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
-    contact::ProjectileState state{{0.013e-3, 0.021e-3, -thickness / 2 - 2.5 * speed * dt}, {0, 0, speed}};
+    Translating state{{0.013e-3, 0.021e-3, -thickness / 2 - 2.5 * speed * dt}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
     contact::ContactForces forces;
     while (state.position.z() + speed * dt <= depth - thickness / 2) {
@@ -86,10 +87,10 @@ TEST(ProjectileContact, AFastFaceMeetsThePlyUpToItsRim) {
     const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5.38e-3, .length = 10e-3};
     /// Of the first contact, m2.
     const auto area = [&](double gap) {
-        contact::ProjectileContact contact(body::make_shape(cylinder), elastic, 0.03e-3, plies.surface,
-                                           plies.x);
+        contact::ProjectileContact contact(body::make_shape(cylinder), Translating{}, elastic, 0.03e-3,
+                                           plies.surface, plies.x);
         const Positions v(plies.x.size(), Vec3::Zero());
-        contact::ProjectileState state{{0.013e-3, 0.021e-3, -gap}, {0, 0, fast}};
+        Translating state{{0.013e-3, 0.021e-3, -gap}, {0, 0, fast}};
         contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
         contact::ContactForces forces;
         contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, 0, 1, forces);
@@ -112,9 +113,10 @@ Vec3 push_on_leaning_ply(std::optional<double> spacing, double angle) {
         return Vec3(2e-3 * (u - 0.5) * along + Vec3(0, 2e-3 * (v - 0.5), 0));
     });
     const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5e-3, .length = 10e-3};
-    contact::ProjectileContact contact(body::make_shape(cylinder), elastic, spacing, plies.surface, plies.x);
+    contact::ProjectileContact contact(body::make_shape(cylinder), Translating{}, elastic, spacing,
+                                       plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
-    contact::ProjectileState state{{0, 0, -1.1e-3}, {0, 0, speed}};
+    Translating state{{0, 0, -1.1e-3}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
     contact::ContactForces forces;
     for (int step = 0; step < 1100; ++step) {
@@ -142,9 +144,10 @@ TEST(ProjectileContact, TouchesNothingBesideItsFootprintOrEroded) {
     Plies plies;
     plies.add(8, {.z = 0, .thickness = 0, .areal_density = 0.2}, flat(side, 0));
     const scene::Projectile cylinder{.shape = scene::Shape::cylinder, .diameter = 5e-3, .length = 10e-3};
-    contact::ProjectileContact contact(body::make_shape(cylinder), elastic, 0.25e-3, plies.surface, plies.x);
+    contact::ProjectileContact contact(body::make_shape(cylinder), Translating{}, elastic, 0.25e-3,
+                                       plies.surface, plies.x);
     const Positions v(plies.x.size(), Vec3::Zero());
-    contact::ProjectileState state{{0, 0, -0.5e-6}, {0, 0, speed}};
+    Translating state{{0, 0, -0.5e-6}, {0, 0, speed}};
     contact.update_candidates(plies.surface, contact::SweptBounds(plies.x), nose(state), 0.1e-3);
     contact::ContactForces forces;
     contact.evaluate(plies.surface, plies.fresh_normals(), plies.x, v, state, dt, 1, forces);

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "translating.hpp"
+
 namespace weavefront::test {
 namespace {
 
@@ -16,14 +18,14 @@ const scene::Projectile cylinder{
     .shape = scene::Shape::cylinder, .diameter = 6e-3, .edge_radius = 0.5e-3, .length = 10e-3, .mass = mass};
 
 /// Velocity after a flight of 60 us.
-contact::ProjectileState fly(const scene::Projectile& projectile, const Vec3& from, const Vec3& velocity,
-                             double unloading) {
+Translating fly(const scene::Projectile& projectile, const Vec3& from, const Vec3& velocity,
+                double unloading) {
     contact::ProjectileOnFrame bars(projectile, bars_across_x,
                                     {.stiffness = k, .unloading = unloading, .damping = 0}, top);
-    contact::ProjectileState state{from, velocity};
+    Translating state{from, velocity};
     constexpr double dt = 1e-8;
     for (int step = 0; step < 6000; ++step) {
-        state.velocity += dt / mass * bars.evaluate(state, step > 0 ? dt : 0);
+        state.velocity += dt / mass * bars.evaluate(state, step > 0 ? dt : 0).force;
         state.position += dt * state.velocity;
     }
     return state;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "surfaces.hpp"
+#include "translating.hpp"
 #include "weavefront/contact/ply_contact.hpp"
 #include "weavefront/contact/projectile_contact.hpp"
 #include "weavefront/contact/sliding_account.hpp"
@@ -45,16 +46,16 @@ Rebound meet_plane(const scene::Projectile& projectile, double unloading, double
     plies.add(32, {.z = 0, .thickness = 0.14e-3, .areal_density = 0.2}, [&](double u, double v) {
         return Vec3(length * (u - 0.5) * along + width * (v - 0.5) * Vec3::UnitY());
     });
-    contact::ProjectileContact contact(body::make_shape(projectile), law(unloading), spacing, plies.surface,
-                                       plies.x);
+    contact::ProjectileContact contact(body::make_shape(projectile), Translating{}, law(unloading), spacing,
+                                       plies.surface, plies.x);
     const Positions at_rest(plies.x.size(), Vec3::Zero());
     const double radius = projectile.diameter / 2, gap = 0.07e-3 + 1e-6;
     // The point of the projectile that meets the plane first stands over its middle, less half of the way
     // that it slides.
     const Vec3 first =
         projectile.shape == scene::Shape::sphere ? Vec3(radius * (normal - Vec3::UnitZ())) : Vec3::Zero();
-    contact::ProjectileState state{Vec3(-gap * normal - first - sliding * 12e-6 * along),
-                                   Vec3(speed * normal + sliding * along)};
+    Translating state{Vec3(-gap * normal - first - sliding * 12e-6 * along),
+                      Vec3(speed * normal + sliding * along)};
     contact::SlidingAccount account;
     contact::ContactForces forces;
     Rebound rebound{};
@@ -157,9 +158,10 @@ Vec3 push_of_sphere(bool wrapped) {
         const Vec3 flat(3e-3 * u, 4e-3 * (v - 0.5), 0);
         return wrapped ? Vec3(R * (flat + R * Vec3::UnitZ()).normalized() - R * Vec3::UnitZ()) : flat;
     });
-    contact::ProjectileContact contact(body::make_shape(sphere), law(1), 0.25e-3, plies.surface, plies.x);
+    contact::ProjectileContact contact(body::make_shape(sphere), Translating{}, law(1), 0.25e-3,
+                                       plies.surface, plies.x);
     const Vec3 velocity(100, 0, 20);
-    contact::ProjectileState state{-40 * dt * velocity - Vec3(0, 0, 0.07e-3), velocity};
+    Translating state{-40 * dt * velocity - Vec3(0, 0, 0.07e-3), velocity};
     contact.update_candidates(plies.surface, contact::SweptBounds(plies.x),
                               contact::SweptBounds({&state.position, 1}).of_node(0), 1e-3);
     contact::ContactForces forces;

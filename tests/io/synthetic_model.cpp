@@ -39,17 +39,14 @@ Surface SyntheticModel::surface() const {
 
 Frame SyntheticModel::frame(int k) const {
     const auto shape = topology();
-    Frame frame{.time = 0.5 * k,
-                .points = {},
-                .point_data = {},
-                .cell_data = {},
-                .eroded = {},
-                .projectile = {0, 0.25, -1.0 * k}};
-    Array displacement{.name = "displacement",
-                       .components = 3,
-                       .integer = false,
-                       .values = {},
-                       .projectile = {1.0 * k, 2.0 * k, 3.0 * k}};
+    Frame frame{
+        .time = 0.5 * k, .points = {}, .point_data = {}, .cell_data = {}, .eroded = {}, .projectile = {}};
+    Array displacement{
+        .name = "displacement", .components = 3, .integer = false, .values = {}, .projectile = {}};
+    for (const auto& [x, y, z] : surface().points) {
+        frame.projectile.insert(frame.projectile.end(), {x, y + 0.25, z - k});
+        displacement.projectile.insert(displacement.projectile.end(), {1.0 * k, 2.0 * k, 3.0 * k});
+    }
     Array velocity{.name = "velocity", .components = 3, .integer = false, .values = {}, .projectile = {}};
     for (const auto id : shape.owned_nodes) {
         for (int c = 0; c < 3; ++c) {

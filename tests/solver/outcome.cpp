@@ -115,7 +115,8 @@ TEST(Penetration, IsThatOfTheDeepestPointWithItsPlace) {
     simulation.advance_forces();
     EXPECT_EQ(simulation.record_balance().deepest.element, -1);
     simulation.integrate();
-    simulation.model().projectile->position.z() = 0.03e-3;
+    auto& projectile = *simulation.model().projectile;
+    projectile.place({1e-3, -1e-3, 0.03e-3}, projectile.attitude(), projectile.velocity());
     simulation.advance_forces();
     const auto deepest = simulation.record_balance().deepest;
     EXPECT_NEAR(deepest.overlap, 0.13e-3, 1e-9);  // half of the thickness more
@@ -123,7 +124,7 @@ TEST(Penetration, IsThatOfTheDeepestPointWithItsPlace) {
     EXPECT_LT((deepest.place.head<2>() - Vec3(1e-3, -1e-3, 0).head<2>()).norm(), 1.5e-3);
     EXPECT_EQ(simulation.deepest().element, deepest.element);
     simulation.integrate();
-    simulation.model().projectile->position.z() = -5e-3;
+    projectile.place({1e-3, -1e-3, -5e-3}, projectile.attitude(), projectile.velocity());
     simulation.advance_forces();
     EXPECT_EQ(simulation.record_balance().deepest.overlap, deepest.overlap)
         << "it stays when the projectile has gone";

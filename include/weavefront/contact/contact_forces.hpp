@@ -14,9 +14,12 @@ namespace weavefront::contact {
 struct ContactForces {
     std::vector<PairForce> pairs;
     std::vector<SlidingEnergy> sliding;  ///< J, one for each facet with sliding
+    /// Moments on a projectile that turns, about its centre of mass, one for each facet that presses on it, N
+    /// m.
+    std::vector<Vec3> moments;
     Deepest deepest;
 
-    void clear() { pairs.clear(), sliding.clear(), deepest = {}; }
+    void clear() { pairs.clear(), sliding.clear(), moments.clear(), deepest = {}; }
 };
 
 }  // namespace weavefront::contact

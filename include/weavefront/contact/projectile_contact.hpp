@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "weavefront/body/rigid_body.hpp"
 #include "weavefront/body/shape.hpp"
 #include "weavefront/contact/facet_quadrature.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
@@ -17,25 +18,21 @@
 
 namespace weavefront::contact {
 
-/// Nose position and velocity of the projectile.
-struct ProjectileState {
-    Vec3 position{0, 0, 0};  ///< m
-    Vec3 velocity{0, 0, 0};  ///< m/s
-};
-
 /// Contact at integration points pushes along the smoothed normals of the plies, see PushDirections. Contact
 /// at the nodes pushes along the normals of the projectile.
 class ProjectileContact {
   public:
-    /// @param shape of the projectile
-    /// @param x     initial positions, for the integration points, m
-    ProjectileContact(std::shared_ptr<const body::Shape> shape, const scene::ContactLaw& law,
-                      std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x);
+    /// @param shape      of the projectile
+    /// @param projectile at the start
+    /// @param x          initial positions, for the integration points, m
+    ProjectileContact(std::shared_ptr<const body::Shape> shape, const body::RigidBody& projectile,
+                      const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
+                      std::span<const Vec3> x);
 
     /// Chooses the owned facets that may come under the projectile. They hold until a node or the projectile
     /// is more than half of `skin` outside of its swept bounds in x or y.
     /// @param swept bounds of the nodes
-    /// @param way   footprint that the projectile's nose sweeps
+    /// @param way   footprint that the projectile's search point sweeps
     /// @param skin  m
     void update_candidates(const Surface& surface, const SweptBounds& swept, const Footprint& way,
                            double skin);
@@ -46,8 +43,20 @@ class ProjectileContact {
     /// @param dt      the last step, s
     /// @param sliding_share part of the overlap caused by sliding that may press, see Surroundings
     void evaluate(const Surface& surface, NodalNormals& normals, std::span<const Vec3> x,
-                  std::span<const Vec3> v, const ProjectileState& projectile, double dt, double sliding_share,
+                  std::span<const Vec3> v, const body::RigidBody& projectile, double dt, double sliding_share,
                   ContactForces& forces);
+
+    /// The point about which facets are searched within a radius: the nose of an upright projectile, else the
+    /// middle of its bounds. @return in space, m
+    [[nodiscard]] Vec3 search_point(const body::RigidBody& projectile) const {
+        return is_upright_ ? projectile.position() : middle(projectile);
+    }
+    /// Middle of the projectile's bounds in space, m.
+    [[nodiscard]] Vec3 middle(const body::RigidBody& projectile) const {
+        return projectile.to_space((bounds_.low + bounds_.high) / 2);
+    }
+    /// Half of the projectile's extents along the axes of space, m.
+    [[nodiscard]] Vec3 half_extents(const body::RigidBody& projectile) const;
 
     /// Owned facets that may come under the projectile before the next search.
     [[nodiscard]] std::span<const std::int32_t> candidates() const { return candidates_; }
@@ -88,8 +97,9 @@ class ProjectileContact {
     };
 
     std::shared_ptr<const body::Shape> shape_;
-    body::Bounds bounds_;  ///< of the shape, m
-    double radius_;        ///< of the shape about its axis, m
+    body::Bounds bounds_;   ///< of the shape, m
+    bool is_upright_;       ///< its axes are those of space, always
+    double search_radius_;  ///< about the search point, m
     std::vector<OfPly> plies_;
     FacetQuadrature quadrature_;
     std::vector<std::int32_t> candidates_;      ///< owned facets

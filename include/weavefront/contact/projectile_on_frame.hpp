@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
+#include "weavefront/body/rigid_body.hpp"
 #include "weavefront/contact/frame.hpp"
 #include "weavefront/contact/penalty.hpp"
-#include "weavefront/contact/projectile_contact.hpp"
 #include "weavefront/mesh/vec3.hpp"
 #include "weavefront/scene/scene.hpp"
 
@@ -22,9 +22,9 @@ class ProjectileOnFrame {
     ProjectileOnFrame(const scene::Projectile& projectile, const scene::Frame& frame,
                       const scene::ContactLaw& law, double top);
 
-    /// Force on the projectile at its present position, N.
+    /// Force on the projectile at its present position, and its moment.
     /// @param dt the last step, s
-    [[nodiscard]] Vec3 evaluate(const ProjectileState& projectile, double dt);
+    [[nodiscard]] body::Wrench evaluate(const body::RigidBody& projectile, double dt);
 
     /// Penetrations of the four bars, one after the other.
     template <class Archive>

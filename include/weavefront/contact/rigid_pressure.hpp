@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "weavefront/body/depth.hpp"
+#include "weavefront/body/rigid_body.hpp"
 #include "weavefront/contact/contact_forces.hpp"
 #include "weavefront/contact/facet_memory.hpp"
 #include "weavefront/contact/nodal_motion.hpp"
@@ -28,8 +29,9 @@ struct RigidPair {
     const PenaltyLaw& law;
     double thickness;  ///< of the ply, m
     Master body;
-    Vec3 away;                    ///< from the body to the facet, of any length
-    Vec3 body_velocity{0, 0, 0};  ///< m/s
+    Vec3 away;            ///< from the body to the facet, of any length
+    body::Motion motion;  ///< of the body
+    bool turns = false;   ///< whether moments turn the body
 };
 
 /// State of a facet's contact with a rigid body. `Point` has a member `penetration`.
@@ -74,6 +76,7 @@ void press(const RigidPair& pair, const NodalMotion& nodes, double sliding_share
                velocities = corners_of(pair.facet.nodes, nodes.v);
     PairForce sum(pair.facet.nodes, pair.body);
     SlidingEnergy sliding;
+    Vec3 moment = Vec3::Zero();
     std::optional<PushDirections> directions;
     const Surroundings around{memory.dissipated_budget, sliding_share};
     for (std::size_t b = 0; b < pair.rule.size(); ++b) {
@@ -89,7 +92,7 @@ void press(const RigidPair& pair, const NodalMotion& nodes, double sliding_share
             if (!directions) directions.emplace(normals(), corners, pair.area);
             const auto at = found ? *found : directions->left_behind(pair.away, batch.N, i);
             const Vec3 direction = directions->at(at, batch.N, i);
-            const Vec3 relative = pair.body_velocity - at_point(velocities, batch.N, i);
+            const Vec3 relative = pair.motion.at(place) - at_point(velocities, batch.N, i);
             const double closing = relative.dot(direction);
             // The depth is a distance, so its rate is at most the relative speed.
             const RelativeMotion motion{closing, closing * direction.dot(at.normal), relative.norm()};
@@ -97,9 +100,12 @@ void press(const RigidPair& pair, const NodalMotion& nodes, double sliding_share
                 pair.law.advance(point.penetration, at.depth, motion, nodes.dt, batch.share[i], around);
             memory.dissipated_budget += response.dissipated;
             sliding.add(response.sliding);
-            sum.add(response.pressure * pair.area * batch.share[i] * direction, batch.N, i);
+            const Vec3 on_fabric = response.pressure * pair.area * batch.share[i] * direction;
+            sum.add(on_fabric, batch.N, i);
+            if (pair.turns) moment -= (place - pair.motion.centre).cross(on_fabric);
         }
     }
+    if (moment != Vec3::Zero()) forces.moments.push_back(moment);
     if (sum.total != Vec3::Zero()) forces.pairs.push_back(sum);
     if (sliding.is_any()) forces.sliding.push_back(sliding.times(pair.area));
 }

@@ -15,7 +15,8 @@
 namespace weavefront::io {
 
 /// The column names of history.csv, separated by commas.
-std::string history_header();
+/// @param layout a row with the parts that all rows have
+std::string history_header(const HistoryRow& layout = {});
 
 /// One row as text, 17 significant digits, without the end of the line.
 /// @throws NotFinite naming the column
@@ -32,11 +33,12 @@ struct Written {
 class History {
   public:
     /// Starts the file with its header, under its temporary name.
-    /// @param path  of the file
-    /// @param comm  ranks of the run; must outlive this object
+    /// @param path   of the file
+    /// @param layout a row with the parts that all rows have
+    /// @param comm   ranks of the run; must outlive this object
     /// @throws FileError on all ranks
     /// @note Collective
-    History(const std::filesystem::path& path, const parallel::Communicator& comm);
+    History(const std::filesystem::path& path, const HistoryRow& layout, const parallel::Communicator& comm);
     /// Goes on with a table that is there, after its first bytes. What is beyond them stays until `publish`.
     /// @param written what the table held when its run was left
     /// @throws FileError on all ranks when its first bytes are others, or fewer

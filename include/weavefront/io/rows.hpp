@@ -13,6 +13,13 @@
 
 namespace weavefront::io {
 
+/// Columns of a projectile that turns, in the axes of space.
+struct Rotation {
+    std::array<double, 4> attitude{};          ///< quaternion w, x, y, z from its axes to those of space
+    std::array<double, 3> angular_velocity{};  ///< rad/s
+    std::array<double, 3> moment{};            ///< of the contact, about its centre of mass, N m
+};
+
 /// One row of history.csv; the columns are written in this order.
 struct HistoryRow {
     double time = 0;
@@ -41,6 +48,7 @@ struct HistoryRow {
     std::int64_t debris_elements = 0;        ///< neither eroded nor joined to a support
     double debris_mass = 0;                  ///< kg
     double debris_displacement = 0;          ///< largest displacement along z of a node of debris, m
+    std::optional<Rotation> rotation = {};   ///< in all rows of a file, or in none
 };
 
 /// The global topology of the results in canonical order, of which each rank passes the part it owns. Every
@@ -67,8 +75,7 @@ struct Array {
     int components = 1;
     bool integer = false;  ///< stored as int8 (flags)
     std::vector<double> values;
-    std::vector<double>
-        projectile;  ///< what the rigid projectile has throughout, `components` values; empty: zeros
+    std::vector<double> projectile;  ///< of the points of the projectile's surface; empty: zeros
 };
 
 /// One frame of results.vtkhdf.
@@ -77,8 +84,8 @@ struct Frame {
     std::vector<double> points;  ///< current positions of the owned nodes, xyz xyz ..., m
     std::vector<Array> point_data;
     std::vector<Array> cell_data;
-    std::vector<bool> eroded;            ///< of the owned elements: hidden in the pictures
-    std::array<double, 3> projectile{};  ///< position of the nose, m
+    std::vector<bool> eroded;        ///< of the owned elements: hidden in the pictures
+    std::vector<double> projectile;  ///< current positions of the points of its surface, xyz xyz ..., m
 };
 
 }  // namespace weavefront::io

@@ -120,7 +120,7 @@ struct Target {
 
 enum class Shape { sphere, cylinder };
 
-/// Rigid projectile; its axis is z, it translates.
+/// Rigid projectile. Its axis is z of its own axes, which `attitude` turns to those of space.
 struct Projectile {
     Shape shape = Shape::cylinder;
     double diameter = 0;     ///< m
@@ -129,7 +129,13 @@ struct Projectile {
     double mass = 0;    ///< kg
     std::array<double, 3>
         position{};  ///< of the foremost point of its nose on the axis, m; default: touching the first ply
-    std::array<double, 3> velocity{};  ///< m/s
+    std::array<double, 3> velocity{};  ///< of the centre of mass, m/s
+    std::array<double, 4> attitude{1, 0, 0,
+                                   0};         ///< unit quaternion w, x, y, z from its axes to those of space
+    std::array<double, 3> angular_velocity{};  ///< in the axes of space, rad/s
+    bool turns = false;                        ///< whether moments turn it
+    /// About its axes x, y, z through the centre of mass, kg m2; absent: of its shape at uniform density.
+    std::optional<std::array<double, 3>> inertia = {};
 };
 
 /// Penalty contact with hysteresis; stiffness per area is a property of the fabric.

@@ -19,7 +19,9 @@ class Assembly {
   public:
     Assembly() = default;
     /// @param largest_force that a single element or pair in contact is expected to exert, N
-    explicit Assembly(double largest_force) : scale_(largest_force) {}
+    /// @param largest_arm of the forces on the projectile about its centre of mass, m
+    Assembly(double largest_force, double largest_arm)
+        : scale_(largest_force), moment_scale_(largest_force * largest_arm) {}
 
     /// Clears the sums and the list of faults.
     void start(std::vector<FixedVector>& sums);
@@ -33,8 +35,8 @@ class Assembly {
 
     /// The lowest local element whose force was not finite or out of range since `start`, or -1.
     [[nodiscard]] std::int32_t faulty_element() const { return faulty_element_; }
-    /// True when a contact force was not finite or out of range.
-    [[nodiscard]] bool faulty_contact() const { return !faulty_contacts_.empty(); }
+    /// True when a contact force, or its moment on the projectile, was not finite or out of range.
+    [[nodiscard]] bool faulty_contact() const { return !faulty_contacts_.empty() || faulty_moment_; }
     /// Nodes of the slaves of these forces.
     [[nodiscard]] const std::vector<std::array<std::int32_t, 4>>& faulty_contacts() const {
         return faulty_contacts_;
@@ -42,6 +44,11 @@ class Assembly {
 
     [[nodiscard]] Vec3 value(const FixedVector& sum) const {
         return {scale_.to(sum[0]), scale_.to(sum[1]), scale_.to(sum[2])};
+    }
+    /// Adds a moment on the projectile, N m.
+    void add_moment(const Vec3& moment, FixedVector& sum);
+    [[nodiscard]] Vec3 moment(const FixedVector& sum) const {
+        return {moment_scale_.to(sum[0]), moment_scale_.to(sum[1]), moment_scale_.to(sum[2])};
     }
     [[nodiscard]] const parallel::FixedPoint& scale() const { return scale_; }
 
@@ -54,7 +61,8 @@ class Assembly {
     void distribute(const std::array<std::int32_t, 4>& nodes, const std::array<Vec3, 4>& forces,
                     const FixedVector& total, std::vector<FixedVector>& sums) const;
 
-    parallel::FixedPoint scale_;
+    parallel::FixedPoint scale_, moment_scale_;
+    bool faulty_moment_ = false;
     std::int32_t faulty_element_ = -1;
     std::vector<std::array<std::int32_t, 4>> faulty_contacts_;
 };

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "weavefront/body/rigid_body.hpp"
 #include "weavefront/contact/frame_contact.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/ply_contact.hpp"
@@ -45,7 +46,8 @@ struct Model {
     Assembly assembly;
     GlobalIds global;
     double smallest_edge = 0;  ///< of all elements, m
-    std::optional<contact::ProjectileState> projectile;
+    std::optional<body::RigidBody> projectile;
+    double projectile_arm = 0;  ///< bound on the distance of its points from its centre of mass, m
     std::optional<contact::ProjectileContact> projectile_contact;
     std::optional<contact::PlyContact> ply_contact;
     std::optional<contact::FrameContact> frame_contact;

@@ -111,13 +111,15 @@ class Simulation {
     [[nodiscard]] const PhaseSeconds& seconds() const { return seconds_; }
     /// Whether the host of this rank lacks memory for its ranks to share: they send messages then.
     [[nodiscard]] bool lacks_shared_memory() const { return shared_memory_.is_refused(); }
-    /// Position of the projectile's nose at the start, m.
-    [[nodiscard]] const Vec3& initial_projectile() const { return initial_projectile_; }
+    /// The projectile at the start. @pre there is a projectile
+    [[nodiscard]] const body::RigidBody& initial_projectile() const { return *initial_projectile_; }
     /// Velocity of an own node at the present time, as of the projectile between advance_forces and
     /// integrate, m/s. The scheme itself keeps those of the middle of the last step.
     [[nodiscard]] Vec3 velocity(std::size_t node) const;
     /// @pre there is a projectile
     [[nodiscard]] Vec3 projectile_velocity() const;
+    /// Its angular velocity at the present time, rad/s. @pre there is a projectile
+    [[nodiscard]] Vec3 projectile_angular_velocity() const;
 
   private:
     void advance_elements();
@@ -141,7 +143,9 @@ class Simulation {
     [[nodiscard]] std::int64_t worst_element(Fault fault) const;
     [[nodiscard]] double severity(Fault fault, std::size_t element) const;
     [[nodiscard]] bool moved_far() const;
-    [[nodiscard]] Vec3 without_mirrored(Vec3 force) const;
+    [[nodiscard]] body::Wrench without_mirrored(body::Wrench wrench) const;
+    /// Bound on the speed of a point of the projectile, m/s.
+    [[nodiscard]] double fastest_point_of_projectile() const;
     /// Velocity of a local node in the middle of this step, damping included, m/s.
     [[nodiscard]] Vec3 updated_velocity(std::size_t node) const;
     void look_for_passages();
@@ -177,9 +181,8 @@ class Simulation {
     bool stop_requested_ = false, checkpoint_requested_ = false;  // by this rank
     StepAgreement agreement_;  // of this rank while forces are computed, then of all ranks
 
-    Vec3 projectile_force_{0, 0, 0},
-        frame_force_{0, 0, 0};  // on the projectile: of all, and of the frame alone, N
-    Vec3 initial_projectile_{0, 0, 0};
+    body::Wrench on_projectile_, from_frame_;  // on the projectile: of all, and of the frame alone
+    std::optional<body::RigidBody> initial_projectile_;
     contact::ContactForces contact_;
     std::array<contact::SlidingAccount, contact_kinds> sliding_;
     shell::AlignedVector<double> pack_forces_;

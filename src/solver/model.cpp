@@ -105,8 +105,10 @@ double largest_force(const scene::Scene& scene) {
     const auto& target = *scene.target;
     double largest = 0;
     for (const auto& fabric : scene.fabrics) {
-        const double membrane =
-            0.1 * fabric.elastic.hooke_modulus * fabric.yarn.area / fabric.yarn.span * target.mesh.edge;
+        double membrane = 0;
+        for (const auto& system : fabric.systems())
+            membrane = std::max(membrane, 0.1 * system.elastic.hooke_modulus * system.yarn.area /
+                                              system.spacing * target.mesh.edge);
         const double pressed = target.mesh.edge * target.mesh.edge * fabric.contact_thickness;
         largest = std::max({largest, membrane,
                             scene.contact.projectile ? scene.contact.projectile->stiffness * pressed : 0.0,

@@ -104,10 +104,13 @@ scene::Fabric with_equal_yarns(scene::Fabric fabric, const std::string& yarn) {
         const auto& warp = *fabric.warp;
         fabric.yarn = warp.yarn;
         fabric.elastic = warp.elastic;
-        if (fabric.failure)
-            fabric.failure = {warp.strength.static_strain, warp.strength.hooke_strain, fabric.failure->erode};
+        if (fabric.failure) {
+            fabric.failure->static_strain = warp.strength.static_strain;
+            fabric.failure->hooke_strain = warp.strength.hooke_strain;
+        }
     }
     fabric.warp.reset();
+    if (fabric.failure) fabric.failure->scatter.reset();  // the curve of a yarn of the mean strength
     return fabric;
 }
 

@@ -12,6 +12,12 @@
 namespace weavefront::scene {
 namespace {
 
+// Below 1 the weakest links are the most frequent; glass fibres have 4, aramid and polyethylene yarns 10
+// to 50.
+constexpr Range weibull{1, true, 1000, " of 1 to 1000", "'20'"};
+// Every whole number up to 2^53 is a double, as scenes are read.
+constexpr std::int64_t most_seeds = std::int64_t{1} << 53;
+
 constexpr double diagonal = std::numbers::pi / 4;
 constexpr Range strain{0, false, 1, " greater than 0 and at most 100 %", "'0.03' or '3 %'"};
 const MessageUnit degrees{"deg", std::numbers::pi / 180};
@@ -39,6 +45,14 @@ BothElastic read_elastic(Section& section) {
     return {{E1.fill, Ka.fill, mu_b.fill}, {E1.warp, Ka.warp, mu_b.warp}};
 }
 
+Scatter read_scatter(Section& section) {
+    Scatter scatter;
+    scatter.weibull_modulus = section.quantity("weibull_modulus", ratio, weibull);
+    scatter.gauge_length = section.quantity("gauge_length", length, positive);
+    if (section.has("seed")) scatter.seed = section.count("seed", most_seeds);
+    return scatter;
+}
+
 /// Failure of the fill, and failure strains of the warp.
 struct BothFailure {
     Failure fill;
@@ -48,7 +62,8 @@ struct BothFailure {
 BothFailure read_failure(Section& section, const Fabric& fabric) {
     BothFailure failure;
     const auto assign = [&](const Both& static_strain, const Both& hooke_strain) {
-        failure.fill = {static_strain.fill, hooke_strain.fill, failure.fill.erode};
+        failure.fill.static_strain = static_strain.fill;
+        failure.fill.hooke_strain = hooke_strain.fill;
         failure.warp = {static_strain.warp, hooke_strain.warp};
     };
     if (section.has("strain")) {
@@ -63,6 +78,7 @@ BothFailure read_failure(Section& section, const Fabric& fabric) {
         assign(static_strain, both(section, "hooke_strain", ratio, strain));
     }
     failure.fill.erode = section.choice("erode", erode_names, failure.fill.erode);
+    failure.fill.scatter = section.optional("scatter", read_scatter);
     return failure;
 }
 
@@ -141,6 +157,8 @@ Fabric read_fabric(Section& section) {
     if (has_equal_yarns(fabric)) fabric.warp.reset();
     section.refuse_if(fabric.warp && fabric.formulation == Formulation::paper, "formulation",
                       "consistent, since fill and warp differ: the paper's cell has equal yarns");
+    section.refuse_if(fabric.failure && fabric.failure->scatter && fabric.formulation == Formulation::paper,
+                      "formulation", "consistent, since the strength is scattered");
     return fabric;
 }
 

@@ -46,10 +46,14 @@ void write_yarns(std::string& text, const Fabric& f) {
          of_yarns(f, " Pa", [](const System& of) { return of.elastic.hooke_modulus; }),
          of_yarns(f, " Pa s", [](const System& of) { return of.elastic.viscosity; }));
     if (!f.failure) return;
-    line(text, "    failure: {{static_strain: {}, hooke_strain: {}, erode: {}}}",
+    const auto& scatter = f.failure->scatter;
+    line(text, "    failure: {{static_strain: {}, hooke_strain: {}, erode: {}{}}}",
          of_yarns(f, "", [](const System& of) { return of.strength->static_strain; }),
          of_yarns(f, "", [](const System& of) { return of.strength->hooke_strain; }),
-         name_of(f.failure->erode, erode_names));
+         name_of(f.failure->erode, erode_names),
+         scatter ? fmt::format(", scatter: {{weibull_modulus: {}, gauge_length: {} m, seed: {}}}",
+                               scatter->weibull_modulus, scatter->gauge_length, scatter->seed)
+                 : "");
 }
 
 void write_fabric(std::string& text, const Fabric& f) {

@@ -160,8 +160,8 @@ Events::Erosion ElementGroup::erode(std::int32_t index) {
 }
 
 std::size_t ElementGroup::bytes() const {
-    return (state_.size() + hourglass_energy_.size()) * sizeof(double) + nodes_.size() * sizeof(nodes_[0]) +
-           quads_.bytes() + packing_.bytes() + damage_.bytes();
+    return (state_.size() + hourglass_energy_.size() + weakness_.size()) * sizeof(double) +
+           nodes_.size() * sizeof(nodes_[0]) + quads_.bytes() + packing_.bytes() + damage_.bytes();
 }
 
 }  // namespace weavefront::shell

@@ -30,6 +30,7 @@ scene::Fabric fabric_with(const Features& features) {
     if (!features.lateral) result.lateral.reset();
     if (!features.friction) result.friction = 0;
     if (!features.failure) result.failure.reset();
+    if (features.scatter) result.failure->scatter = scene::Scatter{20, 0.2, 1};
     return result;
 }
 

@@ -256,5 +256,25 @@ TEST(Unequal, EachYarnBreaksAtItsOwnStrain) {
     EXPECT_EQ(point.state.intact_w, 0);
 }
 
+TEST(Scatter, FailureStrainsArePartsOfThoseOfTheFabric) {
+    // without viscosity by (20), with a weak Hooke spring by (19): both criteria are scaled
+    for (const double hooke_strain : {0.03, 0.01}) {
+        auto fabric = kevlar129();
+        fabric.elastic.viscosity = fabric.thickness = 0;
+        fabric.failure->hooke_strain = hooke_strain;
+        const double of_fabric = std::min(0.033, 2 * hooke_strain);  // Ka/E1 = 2
+        for (const double strength : {0.8, 1.3}) {
+            MaterialPoint<fabric::any_scattered_fabric> point(fabric, 1e-7);
+            point.state.weakness_f = 1 / strength;
+            const double breaks = strength * of_fabric;
+            point.advance({.lambda_f = 1 + 0.999 * breaks, .lambda_w = 1 + 0.999 * of_fabric});
+            EXPECT_EQ(point.state.intact_f + point.state.intact_w, 2);
+            point.advance({.lambda_f = 1 + 1.001 * breaks, .lambda_w = 1 + 0.999 * of_fabric});
+            EXPECT_EQ(point.state.intact_f, 0);
+            EXPECT_EQ(point.state.intact_w, 1);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace weavefront::test

@@ -107,5 +107,17 @@ TEST(FillAndWarp, ACrimpTakesThePlaceOfTheThicknessOfTheLibrary) {
     EXPECT_NEAR(fabric.warp_system().crimp(), 0.02, 1e-15);
 }
 
+TEST(Scatter, IsReadAndReadsBack) {
+    const std::string scatter = "failure.scatter={weibull_modulus: 20, gauge_length: 200 mm}";
+    const auto scene = scene_of(sheet, {"fabrics.a." + scatter});
+    ASSERT_TRUE(scene.fabrics.at(0).failure->scatter);
+    EXPECT_EQ(scene.fabrics[0].failure->scatter->weibull_modulus, 20);
+    EXPECT_EQ(scene.fabrics[0].failure->scatter->gauge_length, 0.2);
+    EXPECT_EQ(scene.fabrics[0].failure->scatter->seed, 1);
+    EXPECT_EQ(parse_scene(scene.resolved, "s.yaml", {}, Need::fabrics).resolved, scene.resolved);
+    const auto other = scene_of(sheet, {"fabrics.a." + scatter, "fabrics.a.failure.scatter.seed=2"});
+    EXPECT_NE(other.hash, scene.hash);
+}
+
 }  // namespace
 }  // namespace weavefront::scene

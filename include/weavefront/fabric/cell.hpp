@@ -160,8 +160,8 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
         }
     }
     if constexpr (F.failure) {
-        break_yarn(fill, L_f, state.sigma_f, state.intact_f);
-        break_yarn(warp, L_w, state.sigma_w, state.intact_w);
+        break_yarn<F>(fill, L_f, state.sigma_f, state.intact_f, state.weakness_f);
+        break_yarn<F>(warp, L_w, state.sigma_w, state.intact_w, state.weakness_w);
     }
     return result;
 }

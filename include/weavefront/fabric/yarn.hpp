@@ -62,9 +62,15 @@ template <class Real>
 /// @param length bar length, m
 /// @param sigma  stress, Pa; 0 on return where broken
 /// @param intact 0 on return where broken
-template <class Real>
-WEAVEFRONT_INLINE void break_yarn(const YarnConstants& c, const Real& length, Real& sigma, Real& intact) {
-    const FailureIndex<Real> index = failure_index(c, Real((length - c.length) * c.inverse_length), sigma);
+/// @param weakness failure strains of the fabric over those of the yarn, 1; with `Features::scatter`
+template <Features F, class Real>
+WEAVEFRONT_INLINE void break_yarn(const YarnConstants& c, const Real& length, Real& sigma, Real& intact,
+                                  const Real& weakness) {
+    FailureIndex<Real> index = failure_index(c, Real((length - c.length) * c.inverse_length), sigma);
+    if constexpr (F.scatter) {
+        index.primary *= weakness;
+        index.secondary *= weakness;
+    }
     const MaskOf<Real> broken = (index.primary > 1.0) | (index.secondary > 1.0);
     sigma = select(broken, Real(0.0), sigma);
     intact = select(broken, Real(0.0), intact);

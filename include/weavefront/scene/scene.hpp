@@ -40,11 +40,19 @@ struct Elastic {
     double viscosity = 0;       ///< mu_b, Pa s; 0: sigma = E1 eps
 };
 
+/// Weibull scatter of the strength of yarns.
+struct Scatter {
+    double weibull_modulus = 0;  ///< m, 1
+    double gauge_length = 0;     ///< L0, of which the failure strains are the mean, m
+    std::int64_t seed = 1;
+};
+
 /// Rate-dependent failure, IT04 (19),(20),(22).
 struct Failure {
     double static_strain = 0;  ///< eps_max, 1
     double hooke_strain = 0;   ///< eps_a_max, 1
     Erode erode = Erode::both_yarns;
+    std::optional<Scatter> scatter = {};  ///< absent: all yarns are equally strong
 };
 
 /// Failure strains of a yarn.

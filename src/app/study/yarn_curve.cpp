@@ -42,6 +42,7 @@ TestCurve strain(const fabric::Constants& c, const scene::YarnTest& test) {
 TestCurve yarn_curve(const scene::Case& variant) {
     scene::Fabric fabric = variant.scene.fabrics.front();
     fabric.warp.reset();  // the curve is that of the fill
+    fabric.failure.reset();
     const fabric::Constants constants = fabric::constants_of(fabric);
     fabric::Features features = fabric::features_of(fabric);
     // a yarn by itself is straight, touches nothing, and is followed beyond its failure

@@ -18,8 +18,11 @@ double speed_of(const std::array<double, 3>& velocity) {
 }  // namespace
 
 double wave_speed(const scene::Fabric& fabric) {
-    return std::sqrt(fabric.elastic.static_modulus * fabric.yarn.area /
-                     (fabric.yarn.span * fabric.areal_density));
+    double squared = 0;
+    for (const auto& system : fabric.systems())
+        squared = std::max(squared, system.elastic.static_modulus * system.yarn.area /
+                                        (system.spacing * fabric.areal_density));
+    return std::sqrt(squared);
 }
 
 double largest_wave_speed(const scene::Scene& scene) {

@@ -27,13 +27,21 @@ namespace {
 std::string fabric_text(const scene::Fabric& fabric, const scene::MessageUnits& units) {
     auto text = fmt::format("{}: plies touch at {} ({})", fabric.name,
                             text_of(fabric.contact_thickness, units.length), fabric.contact_thickness_source);
-    if (!fabric.failure || fabric.elastic.viscosity > 0) return text;
-    const double by_hooke =
-        fabric.failure->hooke_strain * fabric.elastic.hooke_modulus / fabric.elastic.static_modulus;
-    const bool hooke = by_hooke < fabric.failure->static_strain;
-    return text + fmt::format("; without viscosity yarns break at {:.4g} %, by {}",
-                              std::min(by_hooke, fabric.failure->static_strain) * 100,
-                              hooke ? "hooke_strain" : "static_strain");
+    const auto breaking = [](const scene::YarnSystem& yarns) {
+        const double by_hooke =
+            yarns.strength->hooke_strain * yarns.elastic.hooke_modulus / yarns.elastic.static_modulus;
+        const bool hooke = by_hooke < yarns.strength->static_strain;
+        return fmt::format("{:.4g} %, by {}", std::min(by_hooke, yarns.strength->static_strain) * 100,
+                           hooke ? "hooke_strain" : "static_strain");
+    };
+    const auto [fill, warp] = fabric.systems();
+    if (fabric.warp)
+        text += fmt::format("; crimp of {:.3g} % in fill and {:.3g} % in warp", fill.crimp() * 100,
+                            warp.crimp() * 100);
+    if (!fabric.failure || fill.elastic.viscosity > 0 || warp.elastic.viscosity > 0) return text;
+    text += "; without viscosity yarns break at ";
+    return text + (fabric.warp ? fmt::format("{} (fill), and {} (warp)", breaking(fill), breaking(warp))
+                               : breaking(fill));
 }
 
 /// Clear distances of the plies; empty: there is one ply.

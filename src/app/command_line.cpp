@@ -118,6 +118,8 @@ void add_yarn(CLI::App& app) {
                      "CSV to write: rate,time,strain,stress,failure; failure is 0, 19 or 20, the equation of "
                      "the paper that was met; a fabric without failure is strained to 5 %")
         ->required();
+    command->add_option("--yarn", options->yarn,
+                        "Which yarn, where fill and warp differ: fill or warp (default: fill)");
     add_fabric(*command, options->fabric);
 }
 

@@ -43,6 +43,7 @@ void cell(const CellOptions& options);
 struct YarnOptions {
     std::filesystem::path scene, out;
     std::string fabric, rates;  ///< fabric empty: the only one
+    std::string yarn = "fill";  ///< or `warp`
     std::vector<std::string> overrides;
 };
 

@@ -16,6 +16,8 @@ std::vector<std::string> inactive_features(const scene::Scene& scene, int ranks)
            "viscosity of the yarns (no elastic.viscosity)");
     unless(any_fabric([](const auto& f) { return f.failure.has_value(); }),
            "failure and erosion (no failure)");
+    unless(any_fabric([](const auto& f) { return f.failure && f.failure->scatter; }),
+           "scatter of strength (no failure.scatter)");
     unless(any_fabric([](const auto& f) { return f.lateral.has_value(); }),
            "packing of the yarns (no lateral)");
     unless(any_fabric([](const auto& f) { return f.friction > 0; }), "yarn friction (no friction)");

@@ -63,12 +63,12 @@ void follow(double rate, const fabric::Constants& c, const Sampling& sample, Not
     double sigma = 0;
     for (std::int64_t i = 1; i <= sample.steps; ++i) {
         const double eps = static_cast<double>(i) * sample.increment;
-        const double before = c.length * (1 + static_cast<double>(i - 1) * sample.increment),
-                     length = c.length * (1 + eps);
-        sigma = fabric::axial_law<F>(c, step, sigma, before, 1.0).stress(length);
+        const double before = c.fill.length * (1 + static_cast<double>(i - 1) * sample.increment),
+                     length = c.fill.length * (1 + eps);
+        sigma = fabric::axial_law<F>(c.fill, step.fill, sigma, before, 1.0).stress(length);
         int failure = 0;
         if constexpr (F.failure) {
-            const fabric::FailureIndex<double> index = fabric::failure_index(c, eps, sigma);
+            const fabric::FailureIndex<double> index = fabric::failure_index(c.fill, eps, sigma);
             if (std::max(index.primary, index.secondary) > 1)
                 failure = index.primary > index.secondary ? 19 : 20;
         }
@@ -95,6 +95,25 @@ void strain_at(double rate, const fabric::Constants& c, const Sampling& sample, 
     });
 }
 
+/// The fabric with both yarns as its fill or its warp. @param yarn `fill` or `warp`
+scene::Fabric with_equal_yarns(scene::Fabric fabric, const std::string& yarn) {
+    if (yarn != "fill" && yarn != "warp")
+        throw scene::InputError(
+            {fmt::format("--yarn: found '{}', allowed fill or warp", scene::printable(yarn))});
+    if (fabric.warp && yarn == "warp") {
+        const auto& warp = *fabric.warp;
+        fabric.yarn = warp.yarn;
+        fabric.elastic = warp.elastic;
+        if (fabric.failure) {
+            fabric.failure->static_strain = warp.strength.static_strain;
+            fabric.failure->hooke_strain = warp.strength.hooke_strain;
+        }
+    }
+    fabric.warp.reset();
+    if (fabric.failure) fabric.failure->scatter.reset();  // the curve of a yarn of the mean strength
+    return fabric;
+}
+
 std::vector<double> read_rates(const std::string& list) {
     std::vector<double> rates;
     scene::MessageList faults;
@@ -115,7 +134,8 @@ std::vector<double> read_rates(const std::string& list) {
 void yarn(const YarnOptions& options) {
     if (!is_first_process()) return;
     const std::vector<double> rates = read_rates(options.rates);
-    const scene::Fabric fabric = chosen_fabric(options.scene, options.overrides, options.fabric);
+    const scene::Fabric fabric =
+        with_equal_yarns(chosen_fabric(options.scene, options.overrides, options.fabric), options.yarn);
     require_output_file("--out", options.out, {options.scene});
     const fabric::Constants constants = fabric::constants_of(fabric);
     const Sampling sample = sampling(fabric);

@@ -15,7 +15,7 @@ namespace weavefront::scene {
 namespace {
 
 /// Keys of the scene, and keys of the library that they leave without a meaning.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> replaced{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 21> replaced{{
     {"count", "yarn.span"},
     {"yarn.span", "count"},
     {"yarn.area", "yarn.denier"},
@@ -24,6 +24,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> replaced
     {"yarn.denier", "yarn.dtex"},
     {"yarn.dtex", "yarn.area"},
     {"yarn.dtex", "yarn.denier"},
+    {"crimp", "thickness"},
+    {"crimp_height", "thickness"},
     {"count", "areal_density"},
     {"yarn.span", "areal_density"},
     {"yarn.denier", "areal_density"},

@@ -22,19 +22,46 @@ std::string quoted(const std::string& text) {
     return emitter.c_str();
 }
 
+/// A value of the yarns with its unit: of fill and warp where they differ.
+template <typename Of>
+std::string of_yarns(const Fabric& f, std::string_view unit, Of of) {
+    const auto [fill, warp] = f.systems();
+    if (!f.warp) return fmt::format("{}{}", of(fill), unit);
+    return fmt::format("{{fill: {}{}, warp: {}{}}}", of(fill), unit, of(warp), unit);
+}
+
+void write_yarns(std::string& text, const Fabric& f) {
+    using System = YarnSystem;
+    line(text, "    yarn: {{span: {}, area: {}, width: {}}}",
+         of_yarns(f, " m", [](const System& of) { return of.yarn.span; }),
+         of_yarns(f, " m^2", [](const System& of) { return of.yarn.area; }),
+         of_yarns(f, " m", [](const System& of) { return of.yarn.width; }));
+    if (f.warp)
+        line(text, "    crimp_height: {}",
+             of_yarns(f, " m", [](const System& of) { return of.crimp_height; }));
+    else
+        line(text, "    thickness: {} m", f.thickness);
+    line(text, "    elastic: {{static_modulus: {}, hooke_modulus: {}, viscosity: {}}}",
+         of_yarns(f, " Pa", [](const System& of) { return of.elastic.static_modulus; }),
+         of_yarns(f, " Pa", [](const System& of) { return of.elastic.hooke_modulus; }),
+         of_yarns(f, " Pa s", [](const System& of) { return of.elastic.viscosity; }));
+    if (!f.failure) return;
+    const auto& scatter = f.failure->scatter;
+    line(text, "    failure: {{static_strain: {}, hooke_strain: {}, erode: {}{}}}",
+         of_yarns(f, "", [](const System& of) { return of.strength->static_strain; }),
+         of_yarns(f, "", [](const System& of) { return of.strength->hooke_strain; }),
+         name_of(f.failure->erode, erode_names),
+         scatter ? fmt::format(", scatter: {{weibull_modulus: {}, gauge_length: {} m, seed: {}}}",
+                               scatter->weibull_modulus, scatter->gauge_length, scatter->seed)
+                 : "");
+}
+
 void write_fabric(std::string& text, const Fabric& f) {
     line(text, "  {}:", quoted(f.name));
     line(text, "    formulation: {}", name_of(f.formulation, formulation_names));
     line(text, "    areal_density: {} kg/m^2", f.areal_density);
     line(text, "    density: {} kg/m^3", f.density);
-    line(text, "    yarn: {{span: {} m, area: {} m^2, width: {} m}}", f.yarn.span, f.yarn.area, f.yarn.width);
-    line(text, "    thickness: {} m", f.thickness);
-    line(text, "    elastic: {{static_modulus: {} Pa, hooke_modulus: {} Pa, viscosity: {} Pa s}}",
-         f.elastic.static_modulus, f.elastic.hooke_modulus, f.elastic.viscosity);
-    if (f.failure) {
-        line(text, "    failure: {{static_strain: {}, hooke_strain: {}, erode: {}}}",
-             f.failure->static_strain, f.failure->hooke_strain, name_of(f.failure->erode, erode_names));
-    }
+    write_yarns(text, f);
     if (f.lateral) {
         line(text,
              "    lateral: {{modulus: {} Pa, shear_modulus: {} Pa, locking_angle: {} rad, transition: {} "

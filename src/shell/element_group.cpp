@@ -13,7 +13,7 @@ namespace weavefront::shell {
 namespace {
 
 // Straight yarns are crimped ones of no height, and the state has the stresses of yarns without viscosity.
-constexpr fabric::Features any_yarns{.crimp = true, .viscous = true};
+constexpr fabric::Features any_yarns{.crimp = true, .viscous = true, .unequal = true};
 
 std::vector<Quad<double>> quads_of(std::span<const GroupElement> elements) {
     std::vector<Quad<double>> quads;
@@ -24,7 +24,9 @@ std::vector<Quad<double>> quads_of(std::span<const GroupElement> elements) {
 
 HourglassStiffness hourglass_stiffness(const scene::Fabric& fabric) {
     // In the plane E1 S/s in each of the two directions, of which each sees half of Quad::shape.
-    const double membrane = fabric.elastic.static_modulus * fabric.yarn.area / fabric.yarn.span;
+    double membrane = 0;
+    for (const auto& system : fabric.systems())
+        membrane += system.membrane_stiffness(system.elastic.static_modulus) / 2;
     const double in_plane = fabric.hourglass * membrane / 2;
     return {in_plane, std::max(fabric.transverse_shear * fabric.effective_thickness(), in_plane)};
 }
@@ -158,8 +160,8 @@ Events::Erosion ElementGroup::erode(std::int32_t index) {
 }
 
 std::size_t ElementGroup::bytes() const {
-    return (state_.size() + hourglass_energy_.size()) * sizeof(double) + nodes_.size() * sizeof(nodes_[0]) +
-           quads_.bytes() + packing_.bytes() + damage_.bytes();
+    return (state_.size() + hourglass_energy_.size() + weakness_.size()) * sizeof(double) +
+           nodes_.size() * sizeof(nodes_[0]) + quads_.bytes() + packing_.bytes() + damage_.bytes();
 }
 
 }  // namespace weavefront::shell

@@ -26,6 +26,7 @@ class FeatureGroup final : public ElementGroup {
         : ElementGroup(fabric, elements, names()), any_yarn_(any_yarn_erodes(fabric)) {
         const auto initial = fabric::initial_state<F, Pack>(constants_);
         for (std::int32_t pack = 0; pack < packs_; ++pack) store(pack, initial);
+        if constexpr (F.scatter) set_weakness(elements);
     }
 
     void set_time_step(double dt) override { step_ = fabric::step_of(constants_, F, dt); }
@@ -100,6 +101,11 @@ class FeatureGroup final : public ElementGroup {
         if constexpr (packs_yarns)
             if (const double* packing = packing_.find(pack))
                 fabric::load_fields<F, Pack, Fields::packing>(state, packing);
+        if constexpr (F.scatter) {
+            const double* weakness = weakness_.data() + static_cast<std::size_t>(pack) * 2 * pack_width;
+            state.weakness_f = Pack::load(weakness);
+            state.weakness_w = Pack::load(weakness + pack_width);
+        }
         if constexpr (F.failure)
             if (const double* damage = damage_.find(pack)) {
                 const Pack left = Pack::load(damage);
@@ -204,6 +210,16 @@ class FeatureGroup final : public ElementGroup {
             names.damage.insert(names.damage.begin() + alive_field, "alive");
         }
         return names;
+    }
+
+    /// Lanes beyond the last element are never alive.
+    void set_weakness(std::span<const GroupElement> elements) {
+        weakness_.assign(static_cast<std::size_t>(packs_) * 2 * pack_width, 1);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const auto place = i / pack_width * 2 * pack_width + i % pack_width;
+            weakness_[place] = 1 / elements[i].strength.fill;
+            weakness_[place + pack_width] = 1 / elements[i].strength.warp;
+        }
     }
 
     static bool any_yarn_erodes(const scene::Fabric& fabric) {

@@ -9,6 +9,12 @@
 
 namespace weavefront::shell {
 
+/// The group of a fabric whose fill and warp differ, or whose strength is scattered: one kernel for all of
+/// either kind.
+std::unique_ptr<ElementGroup> make_unequal_group(const fabric::Features& features,
+                                                 const scene::Fabric& fabric,
+                                                 std::span<const GroupElement> elements);
+
 /// What the yarns of a set of features do: straight, crimped, crimped with friction. As fabric::feature_set
 /// counts them.
 enum class Yarns { straight, crimped, frictional };

@@ -20,6 +20,7 @@ std::unique_ptr<ElementGroup> of_formulation(const fabric::Features& features, c
 std::unique_ptr<ElementGroup> make_element_group(const scene::Fabric& fabric,
                                                  std::span<const GroupElement> elements) {
     const auto features = fabric::features_of(fabric);
+    if (features.unequal) return make_unequal_group(features, fabric, elements);
     auto group = features.paper()
                      ? of_formulation<scene::Formulation::paper>(features, fabric, elements)
                      : of_formulation<scene::Formulation::consistent>(features, fabric, elements);

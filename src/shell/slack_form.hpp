@@ -51,10 +51,11 @@ class SlackYarns {
           lambda_w_(group.place_of("lambda_w")),
           h_f_(group.place_of("h_f")) {
         const auto& constants = group.constants();
-        const double bar = constants.instant_modulus * constants.area * constants.inverse_length;
+        const double bar =
+            constants.fill.instant_modulus * constants.fill.area * constants.fill.inverse_length;
         stiffness_ = 2 * bar / group.areal_density();
         half_coupling_ = 0.5 * (2 * coupling * fabric::coupling_at_rest(constants) / bar);
-        half_span_ = 0.5 * constants.span;
+        half_span_ = 0.5 * constants.fill.span;
         half_thickness_ = 0.5 * constants.thickness;
     }
 

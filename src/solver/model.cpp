@@ -61,14 +61,29 @@ void lump_mass(const scene::Scene& scene, const mesh::Panel& panel, const mesh::
     for (const auto& sum : sums) model.nodes.mass.push_back(scale.to(sum[0]));
 }
 
+/// Of each ply; empty where its yarns are equally strong.
+std::vector<std::optional<shell::ScatteredStrength>> scattered_strengths(const scene::Scene& scene,
+                                                                         const mesh::Panel& panel) {
+    std::vector<std::optional<shell::ScatteredStrength>> strengths(panel.plies.size());
+    for (std::size_t p = 0; p < panel.plies.size(); ++p) {
+        const auto& fabric = scene.fabrics[static_cast<std::size_t>(panel.plies[p].fabric)];
+        if (fabric.failure && fabric.failure->scatter)
+            strengths[p].emplace(fabric, static_cast<std::int32_t>(p), panel.plies[p].angle);
+    }
+    return strengths;
+}
+
 void build_groups(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, Model& model) {
     std::vector<std::vector<shell::GroupElement>> by_fabric(scene.fabrics.size());
     std::vector<std::int32_t> group_of(scene.fabrics.size(), -1);
+    const auto strengths = scattered_strengths(scene, panel);
     for (std::size_t e = 0; e < part.element_ids.size(); ++e) {
-        const auto& ply = panel.plies[static_cast<std::size_t>(part.element_plies[e])];
+        const auto p = static_cast<std::size_t>(part.element_plies[e]);
+        const auto& ply = panel.plies[p];
+        const auto corners = corners_of(part, e);
         by_fabric[static_cast<std::size_t>(ply.fabric)].push_back(
-            {static_cast<std::int32_t>(e), part.element_nodes[e],
-             shell::make_quad(corners_of(part, e), ply.angle)});
+            {static_cast<std::int32_t>(e), part.element_nodes[e], shell::make_quad(corners, ply.angle),
+             strengths[p] ? strengths[p]->of(corners) : shell::RelativeStrength{}});
     }
     for (std::size_t f = 0; f < by_fabric.size(); ++f) {
         if (by_fabric[f].empty()) continue;
@@ -106,8 +121,10 @@ double largest_force(const scene::Scene& scene) {
     const auto& target = *scene.target;
     double largest = 0;
     for (const auto& fabric : scene.fabrics) {
-        const double membrane =
-            0.1 * fabric.elastic.hooke_modulus * fabric.yarn.area / fabric.yarn.span * target.mesh.edge;
+        double membrane = 0;
+        for (const auto& system : fabric.systems())
+            membrane = std::max(membrane, 0.1 * system.elastic.hooke_modulus * system.yarn.area /
+                                              system.spacing * target.mesh.edge);
         const double pressed = target.mesh.edge * target.mesh.edge * fabric.contact_thickness;
         largest = std::max({largest, membrane,
                             scene.contact.projectile ? scene.contact.projectile->stiffness * pressed : 0.0,

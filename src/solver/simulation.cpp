@@ -58,8 +58,9 @@ double most_energy_of_target(const scene::Scene& scene, double speed) {
     double of_area = 0;
     for (const auto& ply : scene.target->plies) {
         const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
-        of_area += fabric.yarn.area / fabric.yarn.span * fabric.elastic.hooke_modulus * ledger_strain *
-                   ledger_strain;
+        for (const auto& system : fabric.systems())
+            of_area += system.yarn.area / system.spacing * system.elastic.hooke_modulus * ledger_strain *
+                       ledger_strain / 2;
     }
     return mass_of(scene) * speed * speed / 2 + of_area * scene.target->size[0] * scene.target->size[1];
 }

@@ -57,12 +57,12 @@ struct Yarns {
 };
 
 /// Yarns whose tangent is known: none where a ply is of the paper's formulation, whose stresses derive from
-/// no energy.
+/// no energy, or of unequal yarns, whose tangent `fabric::tangent_bound` does not have.
 Yarns yarns_of(const scene::Scene& scene) {
     Yarns yarns;
     for (const auto& ply : scene.target->plies) {
         const auto& fabric = scene.fabrics[static_cast<std::size_t>(ply.fabric)];
-        if (fabric.formulation == scene::Formulation::paper) return {};
+        if (fabric.formulation == scene::Formulation::paper || fabric.warp) return {};
         yarns.crimped = yarns.crimped || fabric.thickness > 0;
         yarns.packing = yarns.packing || fabric.lateral.has_value();
     }

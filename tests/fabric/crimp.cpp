@@ -19,9 +19,10 @@ void expect_equibiaxial() {
     for (const double lambda : {1.01, 1.05, 0.98, 1.2}) {
         point.advance({.lambda_f = lambda, .lambda_w = lambda});
         EXPECT_EQ(point.state.h_f, c.thickness / 4);  // nothing tells fill from warp: delta = 0 exactly
-        const double length = std::hypot(lambda * c.span / 2, c.thickness / 4);
+        const double length = std::hypot(lambda * c.fill.span / 2, c.thickness / 4);
         const fabric::YarnState<double> yarns = fabric::yarn_state<F>(c, point.state);
-        EXPECT_NEAR(yarns.sigma_f, c.static_modulus * (length / c.length - 1), 1e-15 * 4 * c.static_modulus);
+        EXPECT_NEAR(yarns.sigma_f, c.fill.static_modulus * (length / c.fill.length - 1),
+                    1e-15 * 4 * c.fill.static_modulus);
         EXPECT_EQ(yarns.sigma_f, yarns.sigma_w);
     }
 }
@@ -34,14 +35,14 @@ TEST(Crimp, UniaxialStretchStraightensTheFillUntilItsSlackIsGone) {
     // length
     MaterialPoint<elastic> point(elastic_kevlar129(), 1e-9);
     const fabric::Constants& c = point.constants;
-    const double slack = 2 * c.length / c.span;
+    const double slack = 2 * c.fill.length / c.fill.span;
     const int steps = 400;
     for (int i = 1; i <= steps; ++i) {
         const double lambda_f = 1 + (slack - 1) * i / steps;
-        const double h_f =
-            std::sqrt(std::max(0.0, c.length * c.length - lambda_f * lambda_f * c.span * c.span / 4));
+        const double h_f = std::sqrt(std::max(
+            0.0, c.fill.length * c.fill.length - lambda_f * lambda_f * c.fill.span * c.fill.span / 4));
         const double h_w = c.thickness / 2 - h_f;
-        const double lambda_w = 2 * std::sqrt(c.length * c.length - h_w * h_w) / c.span;
+        const double lambda_w = 2 * std::sqrt(c.fill.length * c.fill.length - h_w * h_w) / c.fill.span;
         point.advance({.lambda_f = lambda_f, .lambda_w = lambda_w});
         if (i == steps / 2) {
             EXPECT_NEAR(point.state.h_f, h_f, 1e-9 * c.thickness);
@@ -50,9 +51,10 @@ TEST(Crimp, UniaxialStretchStraightensTheFillUntilItsSlackIsGone) {
     // straight is where height is the square root of slack: rounding of the stretches, 1e-16, leaves 1e-8 of
     // the height
     EXPECT_NEAR(point.state.h_f, 0, 1e-7 * c.thickness);
-    const double stiffness = c.static_modulus * c.area / c.span;
+    const double stiffness = c.fill.static_modulus * c.fill.area / c.fill.span;
     EXPECT_NEAR(point.state.N_f, 0, 1e-9 * stiffness);
-    const double warp = 2 * std::sqrt(c.length * c.length - c.thickness * c.thickness / 4) / c.span;
+    const double warp =
+        2 * std::sqrt(c.fill.length * c.fill.length - c.thickness * c.thickness / 4) / c.fill.span;
     point.advance({.lambda_f = slack * 1.01, .lambda_w = warp});
     // beyond it the straight fill stretches; pressed flat it can lift the warp no further
     EXPECT_NEAR(point.state.N_f, stiffness * 0.01, 1e-3 * stiffness * 0.01);
@@ -70,7 +72,7 @@ TEST(Crimp, ForcesBalanceAtTheEndOfTheStep) {
                      lift_w = s.sigma_w * (c.thickness / 2 - s.h_f) / L.warp;
         // the last Newton step is below 1e-8 t/2, so the heights are within about 1e-16 t/2; what is left is
         // rounding of the strains
-        EXPECT_NEAR(lift_f, lift_w, 1e-14 * c.hooke_modulus) << i;
+        EXPECT_NEAR(lift_f, lift_w, 1e-14 * c.fill.hooke_modulus) << i;
     }
 }
 

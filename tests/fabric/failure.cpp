@@ -30,7 +30,7 @@ Failure break_at(double rate) {
         EXPECT_EQ(point.state.sigma_f, 0.0);
         EXPECT_EQ(point.state.N_f, 0.0);
         const fabric::FailureIndex<double> index =
-            fabric::failure_index(point.constants, i * increment, before);
+            fabric::failure_index(point.constants.fill, i * increment, before);
         return {i * increment, before, index.primary > index.secondary ? 19 : 20};
     }
     return {};
@@ -80,15 +80,15 @@ TEST(Failure, ABrokenYarnStaysBrokenAndItsPartnerStraightens) {
         point.advance({.lambda_f = lambda += 1e-4, .lambda_w = 0.65});  // the warp has room to take the crimp
     ASSERT_EQ(point.state.intact_f, 0.0);
     EXPECT_EQ(point.state.intact_w, 1.0);
-    const double slack = 2 * point.constants.length / point.constants.span;
+    const double slack = 2 * point.constants.fill.length / point.constants.fill.span;
     for (int i = 0; i < 5; ++i) point.advance({.lambda_f = 1.0, .lambda_w = slack - 0.01});
     EXPECT_EQ(point.state.intact_f, 0.0);
     EXPECT_EQ(point.state.N_f, 0.0);
-    EXPECT_NEAR(point.state.N_w, 0.0, 1e-6 * 192e9 * point.constants.area / point.constants.span);
+    EXPECT_NEAR(point.state.N_w, 0.0, 1e-6 * 192e9 * point.constants.fill.area / point.constants.fill.span);
     point.advance({.lambda_f = 1.0, .lambda_w = slack * 1.01});
     EXPECT_NEAR(point.state.h_f, point.constants.thickness / 2,
                 1e-15);  // warp straight, fill takes all the crimp
-    EXPECT_NEAR(point.state.N_w, 96e9 * 0.01 * point.constants.area / point.constants.span, 1.0);
+    EXPECT_NEAR(point.state.N_w, 96e9 * 0.01 * point.constants.fill.area / point.constants.fill.span, 1.0);
 }
 
 /// Viscous yarns whose bars hardly relax, so that a slack yarn stays at stresses of the size of rounding.
@@ -112,8 +112,8 @@ TEST(Failure, AYarnLeftAloneGivesNoMoreThanItHolds) {
         point.state.intact_f = point.state.sigma_f = point.state.N_f = 0;
         const auto& c = point.constants;
         const double strain = fabric::yarn_state<F>(c, point.state).eps_w,
-                     volume = c.area / c.span * (2 * c.length / c.span);
-        const double held = c.instant_modulus * strain * strain / 2 * volume, before = point.state.work;
+                     volume = c.fill.area / c.fill.span * (2 * c.fill.length / c.fill.span);
+        const double held = c.fill.instant_modulus * strain * strain / 2 * volume, before = point.state.work;
         double now = point.state.lambda_w;
         for (int leg = 0; leg < 6 && point.state.intact_w == 1.0; ++leg) {
             const double from = now, to = stretch(random);
@@ -131,17 +131,21 @@ TEST(Failure, AYarnLeftAloneIsSlackBetweenItsBounds) {
         const auto& c = point.constants;
         auto& state = point.state;
         (fill ? state.intact_w : state.intact_f) = 0;
-        const double &force = fill ? state.N_f : state.N_w, stiffness = c.static_modulus * c.area / c.span;
+        const double &force = fill ? state.N_f : state.N_w,
+                     stiffness = c.fill.static_modulus * c.fill.area / c.fill.span;
         const auto bring_to = [&](double lambda) {
             fill ? point.advance({.lambda_f = lambda}) : point.advance({.lambda_w = lambda});
         };
-        const double taut = 2 * c.length / c.span,
-                     compressed = 2 * std::sqrt(c.length * c.length - c.thickness * c.thickness / 4) / c.span;
+        const double taut = 2 * c.fill.length / c.fill.span,
+                     compressed = 2 *
+                                  std::sqrt(c.fill.length * c.fill.length - c.thickness * c.thickness / 4) /
+                                  c.fill.span;
         for (const double lambda : {taut * 0.999, 1.0, 1.05, compressed * 1.001}) {
             bring_to(lambda);
             EXPECT_NEAR(force, 0, 1e-12 * stiffness) << lambda;
             const double height = fill ? state.h_f : c.thickness / 2 - state.h_f;
-            EXPECT_NEAR(std::hypot(lambda * c.span / 2, height), c.length, 1e-14 * c.length) << lambda;
+            EXPECT_NEAR(std::hypot(lambda * c.fill.span / 2, height), c.fill.length, 1e-14 * c.fill.length)
+                << lambda;
         }
         bring_to(taut * 1.01);
         EXPECT_NEAR(force, 0.01 * stiffness, 1e-12 * stiffness);

@@ -23,13 +23,14 @@ using simd::Pack;
 
 /// Kevlar with what `features` names and nothing else.
 scene::Fabric fabric_with(const Features& features) {
-    scene::Fabric result = kevlar129();
+    scene::Fabric result = features.unequal ? unequal_kevlar129() : kevlar129();
     result.formulation = features.formulation;
     if (!features.crimp) result.thickness = 0;
     if (!features.viscous) result.elastic.viscosity = 0;
     if (!features.lateral) result.lateral.reset();
     if (!features.friction) result.friction = 0;
     if (!features.failure) result.failure.reset();
+    if (features.scatter) result.failure->scatter = scene::Scatter{20, 0.2, 1};
     return result;
 }
 

@@ -33,22 +33,25 @@ double arm_by_quadrature(double w, double theta) {
 TEST(Friction, ArmIsTheMeanDistanceInTheRhombus) {
     const fabric::Constants c = fabric::constants_of(kevlar129());
     for (double theta = 12; theta < 80; theta += 4) {
-        const double arm = fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * theta * degree)));
+        const double arm = fabric::friction_arm<rubbing>(c, fabric::trellis_of(std::cos(2 * theta * degree)));
         // midpoint rule with 20000 points: its error is below 1e-6 at these angles
-        EXPECT_NEAR(arm / arm_by_quadrature(c.width, theta * degree), 1, 1e-6) << theta;
-        EXPECT_NEAR(arm, fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * (90 - theta) * degree))),
+        EXPECT_NEAR(arm / arm_by_quadrature(c.fill.width, theta * degree), 1, 1e-6) << theta;
+        EXPECT_NEAR(arm,
+                    fabric::friction_arm<rubbing>(c, fabric::trellis_of(std::cos(2 * (90 - theta) * degree))),
                     1e-14 * arm);
     }
 }
 
 TEST(Friction, ArmStaysAtItsLockingValueBeyondLocking) {
     const fabric::Constants c = fabric::constants_of(kevlar129());
-    const double locked = fabric::friction_arm(c, fabric::trellis_of(std::cos(20 * degree)));
-    EXPECT_NEAR(fabric::friction_arm(c, fabric::trellis_of(std::cos(2 * degree))), locked, 1e-13 * locked);
-    EXPECT_NEAR(fabric::friction_arm(c, fabric::trellis_of(-1.0)), locked, 1e-13 * locked);
+    const double locked = fabric::friction_arm<rubbing>(c, fabric::trellis_of(std::cos(20 * degree)));
+    EXPECT_NEAR(fabric::friction_arm<rubbing>(c, fabric::trellis_of(std::cos(2 * degree))), locked,
+                1e-13 * locked);
+    EXPECT_NEAR(fabric::friction_arm<rubbing>(c, fabric::trellis_of(-1.0)), locked, 1e-13 * locked);
     scene::Fabric flat = kevlar129();
     flat.lateral->locking_angle = 45 * degree;
-    EXPECT_TRUE(std::isfinite(fabric::friction_arm(fabric::constants_of(flat), fabric::trellis_of(1.0))));
+    EXPECT_TRUE(
+        std::isfinite(fabric::friction_arm<rubbing>(fabric::constants_of(flat), fabric::trellis_of(1.0))));
 }
 
 TEST(Friction, WithoutALockingAngleTheWidthLimitsTheArm) {
@@ -73,20 +76,20 @@ Spent turn(int degrees, int steps_per_degree) {
     const fabric::Constants& c = point.constants;
     const double lambda = 1.02;
     point.advance({.lambda_f = lambda, .lambda_w = lambda});
-    const double length = std::hypot(lambda * c.span / 2, c.thickness / 4);
-    const double F_f =
-        c.static_modulus * (length / c.length - 1) * c.area * c.thickness / 4 / length;  // equibiaxial: known
+    const double length = std::hypot(lambda * c.fill.span / 2, c.thickness / 4);
+    const double F_f = c.fill.static_modulus * (length / c.fill.length - 1) * c.fill.area * c.thickness / 4 /
+                       length;  // equibiaxial: known
     const double before = point.state.friction_work;
     double expected = 0, first = 0;
     const double dtheta = degree / steps_per_degree;
     for (int i = 1; i <= degrees * steps_per_degree; ++i) {
         const double theta = 45 * degree + i * dtheta, middle = theta - dtheta / 2;
         point.advance({.lambda_f = lambda, .lambda_w = lambda, .theta = theta});
-        const double M = 2 * c.friction * F_f * arm_by_quadrature(c.width, middle);
+        const double M = 2 * c.friction * F_f * arm_by_quadrature(c.fill.width, middle);
         const double s = std::sin(middle), co = std::cos(middle);
         const double per_radian =
             F.paper() ? lambda * lambda * std::sin(2 * middle) * (s * s / co + co * co / s) : 1.0;
-        expected += 2 * M * per_radian * dtheta / (c.span * c.span);
+        expected += 2 * M * per_radian * dtheta / (c.fill.span * c.fill.span);
         if (i == 1) first = expected;
     }
     return {point.state.friction_work - before, expected, first};
@@ -138,7 +141,7 @@ TEST(Friction, WhatIsStoredWhileStickingNeverGrowsByItself) {
     EXPECT_NEAR(loose / tight, 0.5, 0.02);
     // M angle^2/(2e-3) went in under the tight grip and came back under the loose one; M moves by less than
     // 1e-3 over this turn
-    const double s = point.constants.span,
+    const double s = point.constants.fill.span,
                  expected = 2 / (s * s) * (tight - loose) * angle * angle / (2 * fabric::stick_angle);
     EXPECT_NEAR(point.state.friction_work / expected, 1, 4e-3);
 }

@@ -26,12 +26,26 @@ inline constexpr double degree = std::numbers::pi / 180;
     return fabric;
 }
 
-/// The same without viscosity, so that closed paths can be walked at any pace.
-[[nodiscard]] inline scene::Fabric elastic_kevlar129() {
+/// Its fill with a denser, thicker and softer warp of more crimp.
+[[nodiscard]] inline scene::Fabric unequal_kevlar129() {
     scene::Fabric fabric = kevlar129();
+    fabric.thickness = 2 * (0.10e-3 + 0.25e-3);
+    fabric.warp = {.yarn = {.span = 0.8e-3, .area = 8.1e-8, .width = 0.45e-3},
+                   .elastic = {.static_modulus = 80e9, .hooke_modulus = 150e9, .viscosity = 20e6},
+                   .strength = {.static_strain = 0.04, .hooke_strain = 0.03},
+                   .crimp_height = 0.25e-3,
+                   .fill_crimp_height = 0.10e-3};
+    return fabric;
+}
+
+/// A fabric without viscosity, so that closed paths can be walked at any pace.
+[[nodiscard]] inline scene::Fabric elastic(scene::Fabric fabric) {
     fabric.elastic.viscosity = 0;
+    if (fabric.warp) fabric.warp->elastic.viscosity = 0;
     fabric.failure.reset();
     return fabric;
 }
+
+[[nodiscard]] inline scene::Fabric elastic_kevlar129() { return elastic(kevlar129()); }
 
 }  // namespace weavefront::test

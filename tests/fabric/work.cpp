@@ -88,8 +88,8 @@ TEST(Work, ASpinningObserverSeesTheSameResponse) {
         const std::array<double, 4> RF{c * F[0] - s * F[2], c * F[1] - s * F[3], s * F[0] + c * F[2],
                                        s * F[1] + c * F[3]};
         const fabric::Response<double> one = still.advance(of(F)), other = spun.advance(of(RF));
-        const double scale =
-            1e-11 * still.constants.hooke_modulus * still.constants.area / still.constants.span;
+        const double scale = 1e-11 * still.constants.fill.hooke_modulus * still.constants.fill.area /
+                             still.constants.fill.span;
         ASSERT_NEAR(one.T_xx, other.T_xx, scale);
         ASSERT_NEAR(one.T_yy, other.T_yy, scale);
         ASSERT_NEAR(one.T_xy, other.T_xy, scale);

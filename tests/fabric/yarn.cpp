@@ -20,9 +20,9 @@ scene::Fabric straight() {
 }
 
 double at_constant_rate(const fabric::Constants& c, double rate, double time) {
-    const double tau = c.relaxation_time;
-    return c.static_modulus * rate * time +
-           (c.hooke_modulus - c.static_modulus) * rate * tau * -std::expm1(-time / tau);
+    const double tau = c.fill.relaxation_time;
+    return c.fill.static_modulus * rate * time +
+           (c.fill.hooke_modulus - c.fill.static_modulus) * rate * tau * -std::expm1(-time / tau);
 }
 
 /// Stress after `time` at a constant strain rate, in `steps` steps.
@@ -36,7 +36,7 @@ double constant_rate(double rate, double time, int steps) {
 TEST(Yarn, RelaxationTimeOfKevlar) {
     const fabric::Constants c = fabric::constants_of(straight());
     // Kb = Ka E1/(Ka - E1) = 192 GPa, so tau = 35 MPa s/384 GPa
-    EXPECT_NEAR(c.relaxation_time, 35e6 / 384e9, 1e-18);
+    EXPECT_NEAR(c.fill.relaxation_time, 35e6 / 384e9, 1e-18);
 }
 
 TEST(Yarn, ConstantRateIsExactAtAnyStep) {
@@ -46,7 +46,8 @@ TEST(Yarn, ConstantRateIsExactAtAnyStep) {
         for (const int steps : {1, 7, 1000}) {
             const double expected = at_constant_rate(c, rate, time);
             // each step rounds the strain, 1e-16 of a stretch of about 1
-            EXPECT_NEAR(constant_rate<exact>(rate, time, steps), expected, steps * 2.3e-16 * c.hooke_modulus)
+            EXPECT_NEAR(constant_rate<exact>(rate, time, steps), expected,
+                        steps * 2.3e-16 * c.fill.hooke_modulus)
                 << rate << ' ' << steps;
         }
     }
@@ -65,13 +66,14 @@ TEST(Yarn, StepStrainRelaxesExponentially) {
     const double e0 = 0.01;
     MaterialPoint<exact> point(straight(), 0.0);
     point.advance({.lambda_f = 1 + e0});  // no time passes: the spring Ka takes it all
-    EXPECT_NEAR(point.state.sigma_f, c.hooke_modulus * e0, 1e-15 * c.hooke_modulus);
+    EXPECT_NEAR(point.state.sigma_f, c.fill.hooke_modulus * e0, 1e-15 * c.fill.hooke_modulus);
     point.step = fabric::step_of(c, exact, 20e-6);
     for (int i = 1; i <= 30; ++i) {
         point.advance({.lambda_f = 1 + e0});
-        const double expected = e0 * (c.static_modulus + (c.hooke_modulus - c.static_modulus) *
-                                                             std::exp(-i * 20e-6 / c.relaxation_time));
-        EXPECT_NEAR(point.state.sigma_f, expected, 1e-14 * c.hooke_modulus);
+        const double expected =
+            e0 * (c.fill.static_modulus + (c.fill.hooke_modulus - c.fill.static_modulus) *
+                                              std::exp(-i * 20e-6 / c.fill.relaxation_time));
+        EXPECT_NEAR(point.state.sigma_f, expected, 1e-14 * c.fill.hooke_modulus);
     }
 }
 
@@ -99,9 +101,9 @@ template <fabric::Features F>
 void expect_moduli_of_order_two() {
     const fabric::Constants c = fabric::constants_of(straight());
     for (const double omega_tau : {0.5, 1.0, 3.0}) {
-        const double omega = omega_tau / c.relaxation_time, x = omega_tau * omega_tau;
-        const double extra = c.hooke_modulus - c.static_modulus;
-        const Moduli closed{c.static_modulus + extra * x / (1 + x), extra * omega_tau / (1 + x)};
+        const double omega = omega_tau / c.fill.relaxation_time, x = omega_tau * omega_tau;
+        const double extra = c.fill.hooke_modulus - c.fill.static_modulus;
+        const Moduli closed{c.fill.static_modulus + extra * x / (1 + x), extra * omega_tau / (1 + x)};
         const Moduli coarse = harmonic<F>(omega, 64), fine = harmonic<F>(omega, 128);
         EXPECT_NEAR(fine.storage / closed.storage, 1, 1e-3);
         EXPECT_NEAR(fine.loss / closed.loss, 1, 1e-3);
@@ -118,9 +120,9 @@ TEST(Yarn, HarmonicModuliTrapezoidalRule) { expect_moduli_of_order_two<trapezoid
 TEST(Yarn, LongStepsEndAtTheStaticModulus) {
     const fabric::Constants c = fabric::constants_of(straight());
     for (const double a : {1e3, 1e6, 1e12}) {
-        MaterialPoint<exact> point(straight(), a * c.relaxation_time);
+        MaterialPoint<exact> point(straight(), a * c.fill.relaxation_time);
         point.advance({.lambda_f = 1.01});
-        EXPECT_NEAR(point.state.sigma_f / (c.static_modulus * 0.01), 1, 1.1 / a + 1e-13);
+        EXPECT_NEAR(point.state.sigma_f / (c.fill.static_modulus * 0.01), 1, 1.1 / a + 1e-13);
     }
 }
 
@@ -132,7 +134,7 @@ TEST(Yarn, WithoutViscosityTheStressFollowsTheStrain) {
     const double lambda = 1.02;
     const fabric::Response<double> response = point.advance({.lambda_f = lambda});
     const fabric::Constants& c = point.constants;
-    const double n = c.static_modulus * 0.02 * c.area / c.span * lambda;
+    const double n = c.fill.static_modulus * 0.02 * c.fill.area / c.fill.span * lambda;
     // the fill alone pulls, at 45 deg to the axes
     EXPECT_NEAR(response.T_xx, n / 2, 1e-13 * n);
     EXPECT_NEAR(response.T_yy, n / 2, 1e-13 * n);

@@ -33,7 +33,7 @@ PERFORATION = (
     "output.history=0.2 us",
 )
 
-# What the perforation above lacks: the paper's formulation, straight yarns, a turned ply, damping, a cylinder, contact at the nodes.
+# What the perforation above lacks: the paper's formulation, straight yarns, unequal ones of scattered strength, a turned ply, damping, a cylinder, contact at the nodes.
 MIXED = (
     "fabrics.b={formulation: paper, areal_density: 150 g/m^2, density: 1440 kg/m^3, thickness: 0.3 mm, friction: 0.11,"
     " yarn: {span: 0.9 mm, area: 0.05 mm^2, width: 0.3 mm},"
@@ -43,8 +43,11 @@ MIXED = (
     "fabrics.c={areal_density: 150 g/m^2, density: 1440 kg/m^3, thickness: 0,"
     " yarn: {span: 0.9 mm, area: 0.05 mm^2, width: 0.3 mm}, elastic: {static_modulus: 96 GPa, hooke_modulus: 192 GPa, viscosity: 35 MPa s},"
     " transverse_shear: 2.5 GPa}",
+    "fabrics.d={library: kevlar_km2_s706, contact_thickness: 0.2 mm, crimp: {fill: 0.5 %, warp: 2 %},"
+    " failure: {strain: 2.5 %, scatter: {weibull_modulus: 10, gauge_length: 1 mm}}}",
     "target.symmetry=[]",
-    "target.plies=[{fabric: b}, {fabric: a, angle: 30 deg, spacing: 0.3 mm}, {fabric: c, spacing: 0.3 mm}]",
+    "target.plies=[{fabric: b}, {fabric: a, angle: 30 deg, spacing: 0.3 mm}, {fabric: c, spacing: 0.3 mm},"
+    " {fabric: d, spacing: 0.3 mm}]",
     "target.mesh={center: 1 mm, edge: 2 mm}",
     "projectile={shape: cylinder, diameter: 5 mm, edge_radius: 0.3 mm, mass: 1 g, velocity: [0, 0, 500 m/s]}",
     "contact={spacing: nodes, projectile: {}, plies: {}}",

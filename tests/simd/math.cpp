@@ -54,6 +54,18 @@ TEST(Math, RelaxationFromInstantToForever) {
     EXPECT_EQ(one_minus_exp(1e12), 1);
 }
 
+TEST(Math, ExponentialOfAnySize) {
+    // 1 + sum rounds once, and the product of k and ln 2 leaves 1e-17 of r
+    for (double a = -700; a <= 700; a += 0.37)
+        EXPECT_LT(ulps(exponential(a), std::exp(static_cast<long double>(a))), 2) << a;
+    EXPECT_EQ(exponential(0), 1);
+}
+
+TEST(Math, LogarithmOfTheGammaFunction) {
+    // ln Gamma(z + 12) and the logarithm of the product, of up to 22, round by 4 units each
+    for (double z = 1; z <= 2; z += 1e-3) EXPECT_NEAR(log_gamma(z), std::lgamma(z), 1e-13) << z;
+}
+
 TEST(Math, Sine) {
     for (double a = 0.01; a < 1.5708; a += 0.01)
         EXPECT_LT(ulps(sine(a), std::sin(static_cast<long double>(a))), 3) << a;

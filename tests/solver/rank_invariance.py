@@ -8,6 +8,16 @@ from pathlib import Path
 import runs
 
 
+# The third ply has unequal yarns of scattered strength.
+UNEVEN = [
+    "--set",
+    "fabrics.uneven={library: kevlar_km2_s706, contact_thickness: 0.2 mm, crimp: {fill: 0.5 %, warp: 2 %},"
+    " failure: {strain: 3 %, scatter: {weibull_modulus: 10, gauge_length: 1 mm}}}",
+    "--set",
+    "target.plies.2.fabric=uneven",
+]
+
+
 def check_perforated(output):
     """The scene does what it is here for: all plies break, elements go, the last ply is reached through the others, the projectile leaves."""
     summary, rows = runs.summary(output), runs.history(output)
@@ -27,9 +37,9 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         outputs = [Path(folder) / f"on {ranks} of them" for ranks in range(1, 5)]
         for ranks, output in enumerate(outputs, start=1):
-            program.run(scene, output, ranks=ranks)
+            program.run(scene, output, ranks=ranks, options=UNEVEN)
         outputs.append(Path(folder) / "on 3 of them, rebalanced")
-        program.run(scene, outputs[-1], ranks=3, options=["--rebalance", "0"])
+        program.run(scene, outputs[-1], ranks=3, options=[*UNEVEN, "--rebalance", "0"])
         assert "rebalanced" in (outputs[-1] / "run.log").read_text()
         check_perforated(outputs[0])
         for output in outputs[1:]:

@@ -32,7 +32,7 @@ struct YarnForces {
 template <Features F, class Real>
 [[nodiscard]] State<Real> initial_state(const Constants& c) {
     State<Real> state;
-    if constexpr (F.crimp) state.h_f = c.thickness / 4;
+    if constexpr (F.crimp) state.h_f = c.fill.height;
     if constexpr (F.lateral) state.alpha = contact_factor(c, state.phi);
     return state;
 }
@@ -45,7 +45,7 @@ struct BarLengths {
 
 template <Features F, class Real>
 [[nodiscard]] WEAVEFRONT_INLINE BarLengths<Real> bar_lengths(const Constants& c, const State<Real>& state) {
-    const Real a_f = state.lambda_f * (0.5 * c.span), a_w = state.lambda_w * (0.5 * c.span);
+    const Real a_f = state.lambda_f * (0.5 * c.fill.span), a_w = state.lambda_w * (0.5 * warp_of<F>(c).span);
     if constexpr (!F.crimp) return {a_f, a_w};
     return {bar_length(a_f, state.h_f), bar_length(a_w, Real(0.5 * c.thickness - state.h_f))};
 }
@@ -60,10 +60,12 @@ struct YarnState {
 template <Features F, class Real>
 [[nodiscard]] WEAVEFRONT_INLINE YarnState<Real> yarn_state(const Constants& c, const State<Real>& state) {
     const BarLengths<Real> L = bar_lengths<F>(c, state);
-    const Real eps_f = (L.fill - c.length) * c.inverse_length, eps_w = (L.warp - c.length) * c.inverse_length;
+    const YarnConstants &fill = c.fill, &warp = warp_of<F>(c);
+    const Real eps_f = (L.fill - fill.length) * fill.inverse_length,
+               eps_w = (L.warp - warp.length) * warp.inverse_length;
     if constexpr (F.viscous) return {eps_f, eps_w, state.sigma_f, state.sigma_w};
-    return {eps_f, eps_w, c.static_modulus * eps_f * state.intact_f,
-            c.static_modulus * eps_w * state.intact_w};
+    return {eps_f, eps_w, fill.static_modulus * eps_f * state.intact_f,
+            warp.static_modulus * eps_w * state.intact_w};
 }
 
 /// Height of the fill's crossover at the end of the step (consistent), m.
@@ -91,28 +93,40 @@ template <Features F, class Real, class Search>
     return balanced(bars);
 }
 
+/// The bars with stresses that balance where the forces do: those of the warp count S_w/S_f times, so that
+/// (29) reads h_f/L_f sigma_f = h_w/L_w sigma_w as in the cell of equal yarns.
+template <class Real>
+[[nodiscard]] WEAVEFRONT_INLINE Bars<Real> with_forces(const Constants& c, Bars<Real> bars) {
+    const double ratio = c.warp.area / c.fill.area;
+    bars.law_w.offset *= ratio;
+    bars.law_w.slope *= ratio;
+    return bars;
+}
+
 /// Brings the yarns to the end of the step: crimp interchange, stress, failure; IT04 (18)-(36).
 /// @param state crossover height, stresses and intact flags are updated; the stretches are still those of the
 /// start
 template <Features F, class Real, class Search>
 WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step& step, State<Real>& state,
                                                  const Real& lambda_f, const Real& lambda_w, Search search) {
-    const double half_span = 0.5 * c.span;
+    const YarnConstants &fill = c.fill, &warp = warp_of<F>(c);
+    const double half_span_f = 0.5 * fill.span, half_span_w = 0.5 * warp.span;
     const double half_thickness = 0.5 * c.thickness;
     const BarLengths<Real> before = bar_lengths<F>(c, state);
-    const Bars<Real> bars{.a_f = lambda_f * half_span,
-                          .a_w = lambda_w * half_span,
-                          .h_f = state.h_f,
-                          .h_w = half_thickness - state.h_f,
-                          .law_f = axial_law<F>(c, step, state.sigma_f, before.fill, state.intact_f),
-                          .law_w = axial_law<F>(c, step, state.sigma_w, before.warp, state.intact_w)};
+    const Bars<Real> bars{
+        .a_f = lambda_f * half_span_f,
+        .a_w = lambda_w * half_span_w,
+        .h_f = state.h_f,
+        .h_w = half_thickness - state.h_f,
+        .law_f = axial_law<F>(fill, step.fill, state.sigma_f, before.fill, state.intact_f),
+        .law_w = axial_law<F>(warp, warp_of<F>(step), state.sigma_w, before.warp, state.intact_w)};
     Real L_f = bars.a_f, L_w = bars.a_w;
     YarnForces<Real> result{.cos_beta_f = 1.0, .cos_beta_w = 1.0, .crossover = 0.0};
     if constexpr (F.crimp && F.paper()) {
         const YarnState<Real> old = yarn_state<F>(c, state);
         const MidBalance<Real> balance{.bars = bars,
-                                       .a_mid_f = 0.5 * (state.lambda_f + lambda_f) * half_span,
-                                       .a_mid_w = 0.5 * (state.lambda_w + lambda_w) * half_span,
+                                       .a_mid_f = 0.5 * (state.lambda_f + lambda_f) * half_span_f,
+                                       .a_mid_w = 0.5 * (state.lambda_w + lambda_w) * half_span_w,
                                        .sigma_f = old.sigma_f,
                                        .sigma_w = old.sigma_w};
         const Real delta =
@@ -120,9 +134,12 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
         state.h_f = clamp(Real(bars.h_f + delta), Real(0.0), Real(half_thickness));  // (36)
         if constexpr (F.friction)
             result.crossover =
-                c.area * smaller_positive(balance.fill(delta).force, balance.warp(delta).force);
+                fill.area * smaller_positive(balance.fill(delta).force, balance.warp(delta).force);
     } else if constexpr (F.crimp) {
-        state.h_f = crossover_height<F>(bars, state, half_thickness, search);
+        if constexpr (F.unequal)
+            state.h_f = crossover_height<F>(with_forces(c, bars), state, half_thickness, search);
+        else
+            state.h_f = crossover_height<F>(bars, state, half_thickness, search);
     }
     if constexpr (F.crimp) {
         L_f = bar_length(bars.a_f, state.h_f);
@@ -136,14 +153,15 @@ WEAVEFRONT_INLINE YarnForces<Real> advance_yarns(const Constants& c, const Step&
         result.cos_beta_f = bars.a_f * inverse_f;
         result.cos_beta_w = bars.a_w * inverse_w;
         if constexpr (F.friction) {
-            result.crossover =
-                c.area * smaller_positive(Real(state.sigma_f * state.h_f * inverse_f),
-                                          Real(state.sigma_w * (half_thickness - state.h_f) * inverse_w));
+            const Real press_f = state.sigma_f * state.h_f * inverse_f;
+            Real press_w = state.sigma_w * (half_thickness - state.h_f) * inverse_w;
+            if constexpr (F.unequal) press_w *= warp.area / fill.area;
+            result.crossover = fill.area * smaller_positive(press_f, press_w);
         }
     }
     if constexpr (F.failure) {
-        break_yarn(c, L_f, state.sigma_f, state.intact_f);
-        break_yarn(c, L_w, state.sigma_w, state.intact_w);
+        break_yarn<F>(fill, L_f, state.sigma_f, state.intact_f, state.weakness_f);
+        break_yarn<F>(warp, L_w, state.sigma_w, state.intact_w, state.weakness_w);
     }
     return result;
 }
@@ -160,7 +178,7 @@ template <Features F, class Real>
         pack_yarns_as_printed(
             c, state, strain_increment(state.lambda_f, state.lambda_w, before, lambda_f, lambda_w, now), now);
     }
-    const double share = 2.0 * c.area / (c.span * c.effective_thickness);  // (39)
+    const double share = 2.0 * c.fill.area / (c.fill.span * c.effective_thickness);  // (39)
     const PlaneTensor<Real> fill = to_bisector_frame(Real(share * state.sigma_f), state.sigma_22_f,
                                                      state.sigma_12_f, now.cos_theta, now.sin_theta);
     const PlaneTensor<Real> warp = to_bisector_frame(Real(share * state.sigma_w), state.sigma_22_w,
@@ -227,7 +245,7 @@ WEAVEFRONT_INLINE Response<Real> advance(const Constants& c, const Step& step, S
         if constexpr (F.friction) {
             friction_before = {state.friction_stretch, state.friction_stretch, state.friction_turn};
             const PlaneTensor<Real> rubbing =
-                friction_as_printed(c, slip_moment(c, yarns.crossover, now), now, dtheta, J);
+                friction_as_printed(c, slip_moment<F>(c, yarns.crossover, now), now, dtheta, J);
             T.xx += rubbing.xx;
             T.yy += rubbing.yy;
             friction = forces(rubbing, now);
@@ -235,14 +253,15 @@ WEAVEFRONT_INLINE Response<Real> advance(const Constants& c, const Step& step, S
             state.friction_turn = friction.angle;
         }
     } else {
-        n.fill = (c.area / c.span) * state.sigma_f * yarns.cos_beta_f * lambda_f;
-        n.warp = (c.area / c.span) * state.sigma_w * yarns.cos_beta_w * lambda_w;
-        if constexpr (F.lateral) pack_yarns(c, state, lambda_f, lambda_w, now, dtheta, n);
+        const YarnConstants& warp = warp_of<F>(c);
+        n.fill = (c.fill.area / warp.span) * state.sigma_f * yarns.cos_beta_f * lambda_f;
+        n.warp = (warp.area / c.fill.span) * state.sigma_w * yarns.cos_beta_w * lambda_w;
+        if constexpr (F.lateral) pack_yarns<F>(c, state, lambda_f, lambda_w, now, dtheta, n);
         Forces<Real> all = n;
         if constexpr (F.friction) {
-            const double per_cell = 2.0 / (c.span * c.span);
+            const double per_cell = 2.0 / cell_area<F>(c);
             friction_before.angle = per_cell * state.friction_moment;
-            turn_with_friction(state, slip_moment(c, yarns.crossover, now), dtheta);
+            turn_with_friction(state, slip_moment<F>(c, yarns.crossover, now), dtheta);
             friction.angle = per_cell * state.friction_moment;
             all.angle += friction.angle;
         }

@@ -16,6 +16,8 @@ struct Features {
     bool lateral = false;   ///< the yarns pack
     bool friction = false;  ///< mu > 0 (and t > 0: straight yarns do not press on each other)
     bool failure = false;   ///< yarns break
+    bool unequal = false;   ///< fill and warp differ
+    bool scatter = false;   ///< each point has its own strength
 
     [[nodiscard]] constexpr bool paper() const { return formulation == scene::Formulation::paper; }
     /// Whether a turn of the trellis meets resistance, so that the braid angle is followed.
@@ -24,8 +26,27 @@ struct Features {
     friend constexpr bool operator==(const Features&, const Features&) = default;
 };
 
+/// One set serves all fabrics whose fill and warp differ: what such a fabric does not ask for is zero there.
+/// The paper's cell has equal yarns.
+inline constexpr Features any_unequal_fabric{.formulation = scene::Formulation::consistent,
+                                             .crimp = true,
+                                             .viscous = true,
+                                             .lateral = true,
+                                             .friction = true,
+                                             .failure = true,
+                                             .unequal = true};
+
+/// The same with scattered strength, of fabrics whose fill and warp are equal, too.
+inline constexpr Features any_scattered_fabric = [] {
+    auto features = any_unequal_fabric;
+    features.scatter = true;
+    return features;
+}();
+
 /// What `fabric` asks for.
 [[nodiscard]] inline Features features_of(const scene::Fabric& fabric) {
+    if (fabric.failure && fabric.failure->scatter) return any_scattered_fabric;
+    if (fabric.warp) return any_unequal_fabric;
     const bool crimp = fabric.thickness > 0;
     return {.formulation = fabric.formulation,
             .crimp = crimp,
@@ -35,11 +56,15 @@ struct Features {
             .failure = fabric.failure.has_value()};
 }
 
+/// Number of feature sets of fabrics whose fill and warp are equal.
+inline constexpr int equal_feature_sets = 48;
 /// Number of feature sets that `features_of` can return.
-inline constexpr int feature_sets = 48;
+inline constexpr int feature_sets = equal_feature_sets + 2;
 
 /// One of the feature sets. @param index 0..feature_sets-1
 [[nodiscard]] constexpr Features feature_set(int index) {
+    if (index == equal_feature_sets) return any_unequal_fabric;
+    if (index > equal_feature_sets) return any_scattered_fabric;
     const int yarns = index / 16;  // straight, crimped, crimped with friction
     return {.formulation = index % 2 == 0 ? scene::Formulation::consistent : scene::Formulation::paper,
             .crimp = yarns > 0,

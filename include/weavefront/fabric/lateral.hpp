@@ -23,7 +23,7 @@ template <class Real>
 /// none: IT04 (40),(41) would leave them frozen in.
 /// @param state at the start of the step but for phi, which is new; alpha, p_f, p_w, q are brought to its end
 /// @param dtheta change of the braid angle, rad
-template <class Real>
+template <Features F, class Real>
 WEAVEFRONT_INLINE void pack_yarns(const Constants& c, State<Real>& state, const Real& lambda_f,
                                   const Real& lambda_w, const Trellis<Real>& now, const Real& dtheta,
                                   Forces<Real>& n) {
@@ -33,14 +33,18 @@ WEAVEFRONT_INLINE void pack_yarns(const Constants& c, State<Real>& state, const 
     Real p_f = 0.0, p_w = 0.0, q = 0.0;
     if (any(packed)) {
         const Real kept = select(alpha < state.alpha, Real(alpha / state.alpha), Real(1.0));
-        const Real stiffness = alpha * (0.5 * c.lateral_modulus * c.effective_thickness);
+        Real of_fill = alpha * (0.5 * c.lateral_modulus * c.effective_thickness), of_warp = of_fill;
+        if constexpr (F.unequal) {
+            of_fill = alpha * (c.fill.share * c.lateral_modulus * c.effective_thickness);
+            of_warp = alpha * (c.warp.share * c.lateral_modulus * c.effective_thickness);
+        }
         const Trellis<Real> before = trellis_of(state.cos_2theta);
         const Real de_f =
             log_ratio(Real(lambda_w * now.sin_2theta), Real(state.lambda_w * before.sin_2theta));
         const Real de_w =
             log_ratio(Real(lambda_f * now.sin_2theta), Real(state.lambda_f * before.sin_2theta));
-        p_f = select(packed, Real(state.p_f * kept + stiffness * de_f), p_f);
-        p_w = select(packed, Real(state.p_w * kept + stiffness * de_w), p_w);
+        p_f = select(packed, Real(state.p_f * kept + of_fill * de_f), p_f);
+        p_w = select(packed, Real(state.p_w * kept + of_warp * de_w), p_w);
         q = select(packed,
                    Real(state.q * kept + alpha * (2.0 * c.shear_modulus * c.effective_thickness) * dtheta),
                    q);

@@ -21,6 +21,8 @@ struct State {
     Real h_f = 0.0;                       ///< crossover height of the fill, m; h_w = t/2 - h_f
     Real sigma_f = 0.0, sigma_w = 0.0;    ///< axial yarn stresses, Pa
     Real intact_f = 1.0, intact_w = 1.0;  ///< 1, or 0 once the yarn is broken
+    Real weakness_f = 1.0,
+         weakness_w = 1.0;  ///< failure strains of the fabric over those of the point; constant
 
     Real alpha = 0.0;                         ///< lateral contact factor
     Real p_f = 0.0, p_w = 0.0;                ///< packing forces across fill and warp (consistent), N/m

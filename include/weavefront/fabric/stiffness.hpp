@@ -43,9 +43,13 @@ struct Stiffness {
 template <Features F, class Real>
 [[nodiscard]] WEAVEFRONT_INLINE Stiffness<Real> stiffness_bound(const Constants& c,
                                                                 const State<Real>& state) {
-    const double yarn = c.instant_modulus * c.area / c.span * (0.5 * c.span * c.inverse_length);
+    const YarnConstants &fill = c.fill, &warp = warp_of<F>(c);
+    const double yarn_f =
+                     fill.instant_modulus * fill.area / warp.span * (0.5 * fill.span * fill.inverse_length),
+                 yarn_w =
+                     warp.instant_modulus * warp.area / fill.span * (0.5 * warp.span * warp.inverse_length);
     const Real inverse_f = 1.0 / state.lambda_f, inverse_w = 1.0 / state.lambda_w;
-    Stiffness<Real> k{.yarn_f = yarn, .yarn_w = yarn, .lateral = 0.0, .angle = 0.0, .normal = {}};
+    Stiffness<Real> k{.yarn_f = yarn_f, .yarn_w = yarn_w, .lateral = 0.0, .angle = 0.0, .normal = {}};
     if constexpr (F.failure) {
         k.yarn_f *= state.intact_f;
         k.yarn_w *= state.intact_w;
@@ -64,6 +68,7 @@ template <Features F, class Real>
             const Real E2 = state.alpha * (c.lateral_modulus * c.effective_thickness);
             const Real G12 = state.alpha * (c.shear_modulus * c.effective_thickness);
             Real stretch = E2;
+            if constexpr (F.unequal) stretch = E2 * (2.0 * max(fill.share, warp.share));
             k.angle = 2.0 * E2 * cot * cot + G12;
             if constexpr (F.paper()) {
                 stretch += 3.0 * G12 * cot * cot;
@@ -79,7 +84,7 @@ template <Features F, class Real>
             k.lateral = stretch * inverse * inverse;
         }
         if constexpr (F.friction && !F.paper()) {
-            const double per_cell = 1 / (c.span * c.span);
+            const double per_cell = 1 / cell_area<F>(c);
             k.angle += state.friction_limit * (per_cell * 0.5 / stick_angle);
             turn += abs(state.friction_moment) * (2.0 * per_cell);
         }
@@ -103,7 +108,7 @@ template <Features F, class Real>
         k.normal = {(n_f + tilting) * inverse_f * inverse_f, 0.0, (n_w + tilting) * inverse_w * inverse_w};
     } else {
         if constexpr (F.lateral) Q += 0.5 * state.m;
-        if constexpr (F.friction) Q += state.friction_moment * (1 / (c.span * c.span));
+        if constexpr (F.friction) Q += state.friction_moment * (1 / cell_area<F>(c));
         k.normal = {(state.N_f * state.lambda_f + Q * cot_psi) * inverse_f * inverse_f,
                     -Q * inverse_sin * inverse_f * inverse_w,
                     (state.N_w * state.lambda_w + Q * cot_psi) * inverse_w * inverse_w};

@@ -28,21 +28,21 @@ struct YarnTangent {
 /// held: W_ll alone.
 template <Features F, class Real>
 [[nodiscard]] WEAVEFRONT_INLINE YarnTangent<Real> yarn_tangent(const Constants& c, const State<Real>& state) {
-    const double bar = c.instant_modulus * c.area * c.inverse_length;
+    const double bar = c.fill.instant_modulus * c.fill.area * c.fill.inverse_length;
     Real k_f = bar, k_w = bar;
     if constexpr (F.failure) {
         k_f *= state.intact_f;
         k_w *= state.intact_w;
     }
     if constexpr (!F.crimp) return {0.5 * k_f, 0.0, 0.5 * k_w, 0.0};
-    const double half_span = 0.5 * c.span, half_thickness = 0.5 * c.thickness;
+    const double half_span = 0.5 * c.fill.span, half_thickness = 0.5 * c.thickness;
     const BarLengths<Real> L = bar_lengths<F>(c, state);
     const YarnState<Real> yarns = yarn_state<F>(c, state);
     const Real inverse = 1.0 / (L.fill * L.warp), inverse_f = L.warp * inverse, inverse_w = L.fill * inverse;
     const Real cos_f = state.lambda_f * half_span * inverse_f, sin_f = state.h_f * inverse_f;
     const Real cos_w = state.lambda_w * half_span * inverse_w,
                sin_w = (half_thickness - state.h_f) * inverse_w;
-    const Real g_f = c.area * yarns.sigma_f * inverse_f, g_w = c.area * yarns.sigma_w * inverse_w;
+    const Real g_f = c.fill.area * yarns.sigma_f * inverse_f, g_w = c.fill.area * yarns.sigma_w * inverse_w;
     const Real lift_f = (k_f - g_f) * (sin_f * cos_f), lift_w = (k_w - g_w) * (sin_w * cos_w);
     const Real holds =
         (k_f * (sin_f * sin_f) + g_f * (cos_f * cos_f)) + (k_w * (sin_w * sin_w) + g_w * (cos_w * cos_w));
@@ -51,7 +51,7 @@ template <Features F, class Real>
     return {0.5 * (k_f * (cos_f * cos_f) + g_f * (sin_f * sin_f)) - lift_f * lift_f * yields,
             lift_f * lift_w * yields,
             0.5 * (k_w * (cos_w * cos_w) + g_w * (sin_w * sin_w)) - lift_w * lift_w * yields,
-            c.area * smaller_positive(Real(yarns.sigma_f * sin_f), Real(yarns.sigma_w * sin_w))};
+            c.fill.area * smaller_positive(Real(yarns.sigma_f * sin_f), Real(yarns.sigma_w * sin_w))};
 }
 
 /// The consistent formulation's instantaneous tangent.
@@ -85,15 +85,16 @@ template <Features F, class Real>
         }
     }
     if constexpr (F.friction) {
-        const double per_cell = 1 / (c.span * c.span);
+        const double per_cell = 1 / (c.fill.span * c.fill.span);
         angle += state.friction_limit * (0.5 * per_cell / stick_angle);
         Q += state.friction_moment * per_cell;
         // Stretch presses the yarns together, by S Ka (s/2L) sin beta cos beta lambda at most, and so raises
         // in proportion the moment that acts. This goes one way only; half of it is shared out to either
         // side.
         const Real lambda = max(state.lambda_f, state.lambda_w);
-        const Real pressing = c.area * c.instant_modulus * (0.5 * c.span * c.inverse_length) *
-                              min(Real(0.5 * lambda), Real(c.thickness / c.span));
+        const Real pressing = c.fill.area * c.fill.instant_modulus *
+                              (0.5 * c.fill.span * c.fill.inverse_length) *
+                              min(Real(0.5 * lambda), Real(c.thickness / c.fill.span));
         const Real rubbing =
             select(yarns.crossover > 0.0,
                    Real(abs(state.friction_moment) * pressing / yarns.crossover * per_cell), Real(0.0));

@@ -27,7 +27,7 @@ struct AxialLaw {
 /// @param length bar length at the start of the step, m
 /// @param intact 1, or 0 for a broken yarn, which carries no force
 template <Features F, class Real>
-[[nodiscard]] WEAVEFRONT_INLINE AxialLaw<Real> axial_law(const Constants& c, const Step& step,
+[[nodiscard]] WEAVEFRONT_INLINE AxialLaw<Real> axial_law(const YarnConstants& c, const YarnStep& step,
                                                          const Real& sigma, const Real& length,
                                                          const Real& intact) {
     AxialLaw<Real> law{.offset = 0.0, .slope = step.modulus * c.inverse_length, .reference = c.length};
@@ -52,7 +52,7 @@ struct FailureIndex {
 
 /// IT04 (19),(20). @param eps, sigma axial strain and stress of the yarn, 1 and Pa
 template <class Real>
-[[nodiscard]] WEAVEFRONT_INLINE FailureIndex<Real> failure_index(const Constants& c, const Real& eps,
+[[nodiscard]] WEAVEFRONT_INLINE FailureIndex<Real> failure_index(const YarnConstants& c, const Real& eps,
                                                                  const Real& sigma) {
     return {sigma * c.inverse_primary_stress, (c.hooke_modulus * eps - sigma) * c.inverse_secondary_stress};
 }
@@ -62,9 +62,15 @@ template <class Real>
 /// @param length bar length, m
 /// @param sigma  stress, Pa; 0 on return where broken
 /// @param intact 0 on return where broken
-template <class Real>
-WEAVEFRONT_INLINE void break_yarn(const Constants& c, const Real& length, Real& sigma, Real& intact) {
-    const FailureIndex<Real> index = failure_index(c, Real((length - c.length) * c.inverse_length), sigma);
+/// @param weakness failure strains of the fabric over those of the yarn, 1; with `Features::scatter`
+template <Features F, class Real>
+WEAVEFRONT_INLINE void break_yarn(const YarnConstants& c, const Real& length, Real& sigma, Real& intact,
+                                  const Real& weakness) {
+    FailureIndex<Real> index = failure_index(c, Real((length - c.length) * c.inverse_length), sigma);
+    if constexpr (F.scatter) {
+        index.primary *= weakness;
+        index.secondary *= weakness;
+    }
     const MaskOf<Real> broken = (index.primary > 1.0) | (index.secondary > 1.0);
     sigma = select(broken, Real(0.0), sigma);
     intact = select(broken, Real(0.0), intact);

@@ -3,6 +3,7 @@
 /// The scene as plain structs in SI units. Everything here is data: `read_scene` (scene/read.hpp) fills and
 /// validates it, the other modules only read it.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -27,7 +28,7 @@ enum class Edge { fixed, sliding, frame, free };
 
 /// Yarn geometry of the plain weave.
 struct Yarn {
-    double span = 0;   ///< s, distance between crossovers, m
+    double span = 0;   ///< s, distance between crossovers along the yarn, m
     double area = 0;   ///< S, cross-section of a yarn, m2
     double width = 0;  ///< w, m
 };
@@ -39,11 +40,50 @@ struct Elastic {
     double viscosity = 0;       ///< mu_b, Pa s; 0: sigma = E1 eps
 };
 
+/// Weibull scatter of the strength of yarns.
+struct Scatter {
+    double weibull_modulus = 0;  ///< m, 1
+    double gauge_length = 0;     ///< L0, of which the failure strains are the mean, m
+    std::int64_t seed = 1;
+};
+
 /// Rate-dependent failure, IT04 (19),(20),(22).
 struct Failure {
     double static_strain = 0;  ///< eps_max, 1
     double hooke_strain = 0;   ///< eps_a_max, 1
     Erode erode = Erode::both_yarns;
+    std::optional<Scatter> scatter = {};  ///< absent: all yarns are equally strong
+};
+
+/// Failure strains of a yarn.
+struct Strength {
+    double static_strain = 0;  ///< eps_max, 1
+    double hooke_strain = 0;   ///< eps_a_max, 1
+};
+
+/// The yarns of one direction.
+struct YarnSystem {
+    Yarn yarn;
+    double spacing = 0;       ///< of its yarns: the span of the other system, m
+    double crimp_height = 0;  ///< of the crossover over the ends of the bars at rest, m
+    Elastic elastic;
+    std::optional<Strength> strength;  ///< absent: nothing breaks
+
+    /// Length of a yarn over that of the cell, less 1.
+    [[nodiscard]] double crimp() const {
+        const double slope = 2 * crimp_height / yarn.span;
+        return std::sqrt(1 + slope * slope) - 1;
+    }
+    /// E S over the distance of the yarns, N/m. @param modulus E, Pa
+    [[nodiscard]] double membrane_stiffness(double modulus) const { return modulus * yarn.area / spacing; }
+};
+
+/// The warp of a fabric whose fill and warp differ.
+struct UnequalWarp {
+    Yarn yarn;
+    Elastic elastic;
+    Strength strength;                               ///< read where the fabric breaks
+    double crimp_height = 0, fill_crimp_height = 0;  ///< of warp and fill, m
 };
 
 /// Packed yarns, IT04 (40),(41) and figure 8.
@@ -61,26 +101,47 @@ inline constexpr double most_crimp = 0.05;
 struct Fabric {
     std::string name;
     Formulation formulation = Formulation::consistent;
-    double areal_density = 0;  ///< kg/m2
-    double density = 0;        ///< of the fibre, kg/m3
-    Yarn yarn;
-    double thickness = 0;  ///< t, crimp height of the cell, m; 0: straight yarns
-    Elastic elastic;
-    std::optional<Failure> failure;  ///< absent: nothing breaks
-    std::optional<Lateral> lateral;  ///< absent: an open trellis at every angle
-    double friction = 0;             ///< mu, yarn on yarn, 1; 0: none
-    double transverse_shear = 0;     ///< G23, Pa; 0: none
-    double hourglass = 0.05;         ///< in-plane hourglass stiffness over that of full integration, 1
+    double areal_density = 0;         ///< kg/m2
+    double density = 0;               ///< of the fibre, kg/m3
+    Yarn yarn;                        ///< of fill and warp, or of the fill beside `warp`
+    double thickness = 0;             ///< t, twice the sum of both crimp heights, m; 0: straight yarns
+    Elastic elastic;                  ///< as `yarn`
+    std::optional<Failure> failure;   ///< as `yarn`; absent: nothing breaks
+    std::optional<UnequalWarp> warp;  ///< absent: as the fill
+    std::optional<Lateral> lateral;   ///< absent: an open trellis at every angle
+    double friction = 0;              ///< mu, yarn on yarn, 1; 0: none
+    double transverse_shear = 0;      ///< G23, Pa; 0: none
+    double hourglass = 0.05;          ///< in-plane hourglass stiffness over that of full integration, 1
     double contact_thickness =
         0;  ///< distance at which two such plies touch, m; default: effective thickness
     std::string contact_thickness_source;  ///< where that comes from, in a few words
 
     /// t_e = areal density / fibre density, m.
     [[nodiscard]] double effective_thickness() const { return areal_density / density; }
-    /// Length of a yarn over that of the cell, less 1.
-    [[nodiscard]] double crimp() const {
-        const double slope = thickness / (2 * yarn.span);
-        return std::sqrt(1 + slope * slope) - 1;
+    [[nodiscard]] YarnSystem fill_system() const {
+        YarnSystem fill{yarn,
+                        warp ? warp->yarn.span : yarn.span,
+                        warp ? warp->fill_crimp_height : thickness / 4,
+                        elastic,
+                        {}};
+        if (failure) fill.strength = Strength{failure->static_strain, failure->hooke_strain};
+        return fill;
+    }
+    [[nodiscard]] YarnSystem warp_system() const {
+        if (!warp) return fill_system();
+        YarnSystem system{warp->yarn, yarn.span, warp->crimp_height, warp->elastic, {}};
+        if (failure) system.strength = warp->strength;
+        return system;
+    }
+    /// Fill and warp.
+    [[nodiscard]] std::array<YarnSystem, 2> systems() const { return {fill_system(), warp_system()}; }
+    /// The larger crimp of fill and warp.
+    [[nodiscard]] double crimp() const { return std::max(fill_system().crimp(), warp_system().crimp()); }
+    /// Mass of straight yarns per area, kg/m2.
+    [[nodiscard]] double weight_of_yarns() const {
+        double area_per_width = 0;
+        for (const auto& system : systems()) area_per_width += system.yarn.area / system.spacing;
+        return area_per_width * density;
     }
 };
 

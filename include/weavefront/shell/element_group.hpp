@@ -20,6 +20,7 @@
 #include "weavefront/shell/pack_blocks.hpp"
 #include "weavefront/shell/quad.hpp"
 #include "weavefront/shell/repeated_quads.hpp"
+#include "weavefront/shell/scattered_strength.hpp"
 #include "weavefront/simd/vectors.hpp"
 
 namespace weavefront::shell {
@@ -36,6 +37,7 @@ struct GroupElement {
     std::int32_t element = 0;             ///< local index in the part
     std::array<std::int32_t, 4> nodes{};  ///< local
     Quad<double> quad{};
+    RelativeStrength strength{};  ///< read where the fabric's strength is scattered
 };
 
 /// What the fabric did during a step.
@@ -247,8 +249,9 @@ class ElementGroup {
     std::vector<std::array<std::array<std::int32_t, pack_width>, 4>> nodes_;
     RepeatedQuads quads_;
     AlignedVector<double> state_, hourglass_energy_;
-    PackBlocks packing_;  ///< zeros in packs whose yarns do not pack
-    PackBlocks damage_;   ///< ones in packs that are whole
+    AlignedVector<double> weakness_;  ///< of fill and warp of each pack, eight lanes; empty: no scatter
+    PackBlocks packing_;              ///< zeros in packs whose yarns do not pack
+    PackBlocks damage_;               ///< ones in packs that are whole
     std::unique_ptr<Monitor> monitor_;
     fabric::Constants constants_;
 

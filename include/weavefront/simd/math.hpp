@@ -4,6 +4,7 @@
 /// function by selection, so that the result of a lane never depends on the others.
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "weavefront/simd/real.hpp"
@@ -93,6 +94,26 @@ inline double one_minus_exp(double a) {
     for (int k = 10; k >= 1; --k) y = (a / k) * (1.0 - y);
     while (halvings-- > 0) y *= 2.0 - y;
     return y;
+}
+
+/// e^a for |a| <= 700: 2^k e^r with |r| <= ln 2/2, and e^r by its Taylor series.
+inline double exponential(double a) {
+    const double k = std::floor(a * std::numbers::log2e + 0.5);
+    const double r = (a - k * 0x1.62e42fee00000p-1) - k * 0x1.a39ef35793c76p-33;
+    double sum = 0.0;
+    for (int n = 14; n >= 1; --n) sum = (r / n) * (1.0 + sum);
+    return std::ldexp(1.0 + sum, static_cast<int>(k));
+}
+
+/// ln Gamma(z) for z from 1 to 2, within 1e-13: Stirling's series of Gamma(z + 12).
+inline double log_gamma(double z) {
+    double product = 1.0;
+    for (int i = 0; i < 12; ++i) product *= z + i;
+    const double y = z + 12.0, square = 1.0 / (y * y);
+    const double series =
+        (1.0 / 12.0 - square * (1.0 / 360.0 - square * (1.0 / 1260.0 - square * (1.0 / 1680.0)))) / y;
+    constexpr double half_log_two_pi = 0.91893853320467274178;
+    return (y - 0.5) * log_ratio(y, 1.0) - y + half_log_two_pi + series - log_ratio(product, 1.0);
 }
 
 /// sin(a) for |a| <= pi/2 by its Taylor series.

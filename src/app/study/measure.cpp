@@ -49,8 +49,9 @@ class ClosedForm {
         const fabric::Constants c = fabric::constants_of(variant_.scene.fabrics.front());
         study::Curve curve{computed.time, {}};
         for (const double time : computed.time)
-            curve.value.push_back(study::constant_rate_stress(c.static_modulus, c.hooke_modulus,
-                                                              c.relaxation_time, variant_.yarn.rate, time));
+            curve.value.push_back(study::constant_rate_stress(c.fill.static_modulus, c.fill.hooke_modulus,
+                                                              c.fill.relaxation_time, variant_.yarn.rate,
+                                                              time));
         return curve;
     }
 

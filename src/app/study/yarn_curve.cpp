@@ -25,9 +25,9 @@ TestCurve strain(const fabric::Constants& c, const scene::YarnTest& test) {
     for (std::int64_t row = 0, last = 0; row < test.steps; row = last) {
         last = std::min(row + std::max<std::int64_t>(1, row / rows_a_time), test.steps);
         for (std::int64_t i = row; i < last; ++i) {
-            const double before = c.length * (1 + static_cast<double>(i) * increment);
-            const double after = c.length * (1 + static_cast<double>(i + 1) * increment);
-            sigma = fabric::axial_law<F>(c, step, sigma, before, 1.0).stress(after);
+            const double before = c.fill.length * (1 + static_cast<double>(i) * increment);
+            const double after = c.fill.length * (1 + static_cast<double>(i + 1) * increment);
+            sigma = fabric::axial_law<F>(c.fill, step.fill, sigma, before, 1.0).stress(after);
         }
         const double reached = static_cast<double>(last) * increment;
         rows.push_back({reached / test.rate, reached, sigma});
@@ -40,7 +40,9 @@ TestCurve strain(const fabric::Constants& c, const scene::YarnTest& test) {
 }  // namespace
 
 TestCurve yarn_curve(const scene::Case& variant) {
-    const scene::Fabric& fabric = variant.scene.fabrics.front();
+    scene::Fabric fabric = variant.scene.fabrics.front();
+    fabric.warp.reset();  // the curve is that of the fill
+    fabric.failure.reset();
     const fabric::Constants constants = fabric::constants_of(fabric);
     fabric::Features features = fabric::features_of(fabric);
     // a yarn by itself is straight, touches nothing, and is followed beyond its failure

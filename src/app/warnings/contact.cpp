@@ -59,8 +59,10 @@ void warn_of_soft_frame(const Shot& shot, Phrases& found) {
     const double radius = shot.scene.target->frame->edge_radius,
                  stiffness = shot.scene.contact.frame.stiffness;
     if (!fabric.failure || radius == 0) return;
-    const double tension =
-        fabric.elastic.static_modulus * fabric.failure->static_strain * fabric.yarn.area / fabric.yarn.span;
+    double tension = 0;
+    for (const auto& system : fabric.systems())
+        tension = std::max(tension, system.elastic.static_modulus * system.strength->static_strain *
+                                        system.yarn.area / system.spacing);
     const double depth = tension / radius / stiffness;
     if (depth > fabric.contact_thickness)
         found.push_back(

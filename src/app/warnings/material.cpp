@@ -31,21 +31,32 @@ constexpr double most_friction = 1;
 // integration has left out.
 constexpr double most_hourglass = 1;
 
-void warn_of_moduli(const Shot& shot, const scene::Fabric& fabric, Phrases& found) {
+bool has_plausible_modulus(const scene::Elastic& elastic) {
+    return elastic.static_modulus >= least_modulus && elastic.static_modulus <= most_modulus;
+}
+
+void warn_of_moduli(const Shot& shot, const NamedYarns& yarns, Phrases& found) {
     const auto modulus = [&](double value) { return text_of(value, shot.scene.units.modulus); };
-    const double static_modulus = fabric.elastic.static_modulus, hooke_modulus = fabric.elastic.hooke_modulus;
-    const bool plausible = static_modulus >= least_modulus && static_modulus <= most_modulus;
-    if (!plausible)
-        found.push_back(fmt::format("fabric {}: static_modulus is {}, fibres have {} to {}", fabric.name,
-                                    modulus(static_modulus), modulus(least_modulus), modulus(most_modulus)));
-    if (hooke_modulus > most_instantaneous)
-        found.push_back(fmt::format("fabric {}: hooke_modulus is {}, diamond has {}", fabric.name,
-                                    modulus(hooke_modulus), modulus(most_instantaneous)));
-    // A fibre is stiffest along its axis.
+    const auto& elastic = yarns.system.elastic;
+    if (!has_plausible_modulus(elastic))
+        found.push_back(fmt::format("{}: static_modulus is {}, fibres have {} to {}", yarns.name,
+                                    modulus(elastic.static_modulus), modulus(least_modulus),
+                                    modulus(most_modulus)));
+    if (elastic.hooke_modulus > most_instantaneous)
+        found.push_back(fmt::format("{}: hooke_modulus is {}, diamond has {}", yarns.name,
+                                    modulus(elastic.hooke_modulus), modulus(most_instantaneous)));
+}
+
+// A fibre is stiffest along its axis.
+void warn_of_stiff_sides(const Shot& shot, const scene::Fabric& fabric, Phrases& found) {
+    const auto modulus = [&](double value) { return text_of(value, shot.scene.units.modulus); };
+    const auto [fill, warp] = fabric.systems();
+    const auto& elastic =
+        fill.elastic.static_modulus < warp.elastic.static_modulus ? fill.elastic : warp.elastic;
     const auto warn_if_stiffer = [&](std::string_view key, double value) {
-        if (plausible && value > static_modulus)
+        if (has_plausible_modulus(elastic) && value > elastic.static_modulus)
             found.push_back(fmt::format("fabric {}: {} is {}, more than the {} of the yarns along their axis",
-                                        fabric.name, key, modulus(value), modulus(static_modulus)));
+                                        fabric.name, key, modulus(value), modulus(elastic.static_modulus)));
     };
     warn_if_stiffer("transverse_shear", fabric.transverse_shear);
     if (!fabric.lateral) return;
@@ -53,15 +64,15 @@ void warn_of_moduli(const Shot& shot, const scene::Fabric& fabric, Phrases& foun
     warn_if_stiffer("lateral.shear_modulus", fabric.lateral->shear_modulus);
 }
 
-void warn_of_viscosity(const Shot& shot, const scene::Fabric& fabric, Phrases& found) {
-    const double Ka = fabric.elastic.hooke_modulus, E1 = fabric.elastic.static_modulus,
-                 end = shot.scene.time.end;
-    const double Kb = Ka * E1 / (Ka - E1), tau = fabric.elastic.viscosity / (Ka + Kb);  // IT04 (21), (14)
+void warn_of_viscosity(const Shot& shot, const NamedYarns& yarns, Phrases& found) {
+    const auto& elastic = yarns.system.elastic;
+    const double Ka = elastic.hooke_modulus, E1 = elastic.static_modulus, end = shot.scene.time.end;
+    const double Kb = Ka * E1 / (Ka - E1), tau = elastic.viscosity / (Ka + Kb);  // IT04 (21), (14)
     const auto say = [&](std::string_view outcome) {
-        found.push_back(
-            fmt::format("fabric {}: a viscosity of {} relaxes in {} and the run takes {}: {}", fabric.name,
-                        text_of(fabric.elastic.viscosity, shot.scene.units.viscosity),
-                        text_of(tau, shot.scene.units.time), text_of(end, shot.scene.units.time), outcome));
+        found.push_back(fmt::format("{}: a viscosity of {} relaxes in {} and the run takes {}: {}",
+                                    yarns.name, text_of(elastic.viscosity, shot.scene.units.viscosity),
+                                    text_of(tau, shot.scene.units.time), text_of(end, shot.scene.units.time),
+                                    outcome));
     };
     if (tau > 0 && tau * most_apart < end) say("yarns have no more than their static modulus");
     if (tau > end * most_apart) say("yarns do not relax from their Hooke modulus");
@@ -70,23 +81,23 @@ void warn_of_viscosity(const Shot& shot, const scene::Fabric& fabric, Phrases& f
 // Without viscosity sigma = E1 eps, so that the Hooke spring has strained by eps_a = E1/Ka eps, which is
 // hooke_strain at Ka/E1 hooke_strain, IT04 (19); by (20) and (22) the other criterion is met at eps =
 // static_strain.
-void warn_of_failure(const scene::Fabric& fabric, Phrases& found) {
-    const auto& [static_strain, hooke_strain, erode] = *fabric.failure;
+void warn_of_failure(const NamedYarns& yarns, Phrases& found) {
+    const auto& elastic = yarns.system.elastic;
+    const auto& [static_strain, hooke_strain] = *yarns.system.strength;
     if (static_strain < least_strain || static_strain > most_strain)
-        found.push_back(
-            fmt::format("fabric {}: static_strain is {:.4g} %, fibres break at {:.4g} to {:.4g} %",
-                        fabric.name, static_strain * 100, least_strain * 100, most_strain * 100));
+        found.push_back(fmt::format("{}: static_strain is {:.4g} %, fibres break at {:.4g} to {:.4g} %",
+                                    yarns.name, static_strain * 100, least_strain * 100, most_strain * 100));
     // Without an upper limit: a large one is how data of a slow test alone are entered.
     if (hooke_strain < least_strain)
-        found.push_back(fmt::format("fabric {}: hooke_strain is {:.4g} %, fibres break at {:.4g} to {:.4g} %",
-                                    fabric.name, hooke_strain * 100, least_strain * 100, most_strain * 100));
-    const double by_hooke = hooke_strain * fabric.elastic.hooke_modulus / fabric.elastic.static_modulus;
-    if (fabric.elastic.viscosity == 0 && by_hooke < static_strain)
+        found.push_back(fmt::format("{}: hooke_strain is {:.4g} %, fibres break at {:.4g} to {:.4g} %",
+                                    yarns.name, hooke_strain * 100, least_strain * 100, most_strain * 100));
+    const double by_hooke = hooke_strain * elastic.hooke_modulus / elastic.static_modulus;
+    if (elastic.viscosity == 0 && by_hooke < static_strain)
         found.push_back(
-            fmt::format("fabric {}: without viscosity yarns break at {:.4g} %, which hooke_strain decides "
+            fmt::format("{}: without viscosity yarns break at {:.4g} %, which hooke_strain decides "
                         "(hooke_strain times "
                         "hooke_modulus over static_modulus), before the static_strain of {:.4g} %",
-                        fabric.name, by_hooke * 100, static_strain * 100));
+                        yarns.name, by_hooke * 100, static_strain * 100));
 }
 
 }  // namespace
@@ -97,9 +108,12 @@ void warn_of_material(const Shot& shot, const scene::Fabric& fabric, Phrases& fo
                                     text_of(fabric.density, shot.scene.units.density),
                                     text_of(least_density, shot.scene.units.density),
                                     text_of(most_density, shot.scene.units.density)));
-    warn_of_moduli(shot, fabric, found);
-    if (shot.has_plausible_end()) warn_of_viscosity(shot, fabric, found);
-    if (fabric.failure) warn_of_failure(fabric, found);
+    for (const auto& yarns : named_yarns(fabric)) {
+        warn_of_moduli(shot, yarns, found);
+        if (shot.has_plausible_end()) warn_of_viscosity(shot, yarns, found);
+        if (fabric.failure) warn_of_failure(yarns, found);
+    }
+    warn_of_stiff_sides(shot, fabric, found);
     if (fabric.friction > most_friction)
         found.push_back(fmt::format("fabric {}: friction is {:.4g}, yarns on yarns have 0.1 to 0.4",
                                     fabric.name, fabric.friction));

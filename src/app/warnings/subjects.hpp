@@ -32,6 +32,15 @@ struct Shot {
     [[nodiscard]] const scene::Fabric& struck() const { return fabric_of(panel.plies.front()); }
 };
 
+/// Yarns of a fabric and what messages call them.
+struct NamedYarns {
+    std::string name;
+    scene::YarnSystem system;
+};
+
+/// Fill and warp where they differ, else the yarns of both.
+std::vector<NamedYarns> named_yarns(const scene::Fabric& fabric);
+
 /// Whether the areal density is about that of the yarns.
 bool has_plausible_weight(const scene::Fabric& fabric);
 

@@ -20,49 +20,71 @@ constexpr double least_of_height = 0.1;
 // A ply of a plain weave is two yarns high, each at most as wide as the span.
 constexpr double most_spans = 2;
 
-double weight_of_yarns(const scene::Fabric& fabric) {
-    return 2 * fabric.yarn.area * fabric.density / fabric.yarn.span;
+void warn_of_yarns(const Shot& shot, const NamedYarns& yarns, double thickness, Phrases& found) {
+    const auto& units = shot.scene.units;
+    const auto& yarn = yarns.system.yarn;
+    const auto length = [&](double value) { return text_of(value, units.length); };
+    const double rise = 4 * yarns.system.crimp_height;
+    if (rise > yarn.span)
+        found.push_back(fmt::format("{}: its yarns rise and fall by {} every {}", yarns.name, length(rise),
+                                    length(yarn.span)));
+    else if (yarns.system.crimp() > scene::most_crimp)
+        found.push_back(
+            fmt::format("{}: with a thickness of {} yarns are {:.2g} % longer than the cell, plain "
+                        "weaves have 1 to 4 %: "
+                        "this thickness is more than that of the fabric, and stands for other slack, too",
+                        yarns.name, length(thickness), 100 * yarns.system.crimp()));
+    const double height = yarn.area / yarn.width;
+    // A round yarn is pi/4 of its width high in the mean; in a fabric yarns lie flat.
+    if (height > yarn.width)
+        found.push_back(fmt::format("{}: yarns of {} that are {} wide would be {} high", yarns.name,
+                                    text_of(yarn.area, units.area), length(yarn.width), length(height)));
+    else if (thickness > 0 && thickness / 2 < least_of_height * height)
+        found.push_back(
+            fmt::format("{}: a thickness of {} lets yarns cross that are {} high (area over width)",
+                        yarns.name, length(thickness), length(height)));
+}
+
+/// How the yarns lie, as a message says it.
+std::string layout(const Shot& shot, const scene::Fabric& fabric) {
+    const auto& units = shot.scene.units;
+    const auto of = [&](const scene::YarnSystem& system) {
+        return fmt::format("{} every {}", text_of(system.yarn.area, units.area),
+                           text_of(system.spacing, units.length));
+    };
+    const auto [fill, warp] = fabric.systems();
+    if (!fabric.warp) return fmt::format("yarns of {} in two directions", of(fill));
+    return fmt::format("fill yarns of {} and warp yarns of {}", of(fill), of(warp));
 }
 
 }  // namespace
 
+std::vector<NamedYarns> named_yarns(const scene::Fabric& fabric) {
+    if (!fabric.warp) return {{"fabric " + fabric.name, fabric.fill_system()}};
+    return {{fmt::format("fabric {}, fill", fabric.name), fabric.fill_system()},
+            {fmt::format("fabric {}, warp", fabric.name), fabric.warp_system()}};
+}
+
 bool has_plausible_weight(const scene::Fabric& fabric) {
-    const double ratio = fabric.areal_density / weight_of_yarns(fabric);
+    const double ratio = fabric.areal_density / fabric.weight_of_yarns();
     return std::max(ratio, 1 / ratio) <= most_apart;
 }
 
 void warn_of_weave(const Shot& shot, const scene::Fabric& fabric, Phrases& found) {
-    const auto& yarn = fabric.yarn;
     const auto& units = shot.scene.units;
     const auto length = [&](double value) { return text_of(value, units.length); };
     if (!has_plausible_weight(fabric))
         found.push_back(fmt::format(
-            "fabric {}: yarns of {} every {} in two directions weigh {} at {}, but the areal density is {}",
-            fabric.name, text_of(yarn.area, units.area), length(yarn.span),
-            text_of(weight_of_yarns(fabric), units.areal_density), text_of(fabric.density, units.density),
+            "fabric {}: {} weigh {} at {}, but the areal density is {}", fabric.name, layout(shot, fabric),
+            text_of(fabric.weight_of_yarns(), units.areal_density), text_of(fabric.density, units.density),
             text_of(fabric.areal_density, units.areal_density)));
-    if (fabric.thickness > yarn.span)
-        found.push_back(fmt::format("fabric {}: its yarns rise and fall by {} every {}", fabric.name,
-                                    length(fabric.thickness), length(yarn.span)));
-    else if (fabric.crimp() > scene::most_crimp)
-        found.push_back(
-            fmt::format("fabric {}: with a thickness of {} yarns are {:.2g} % longer than the cell, plain "
-                        "weaves have 1 to 4 %: "
-                        "this thickness is more than that of the fabric, and stands for other slack, too",
-                        fabric.name, length(fabric.thickness), 100 * fabric.crimp()));
-    const double height = yarn.area / yarn.width;
-    // A round yarn is pi/4 of its width high in the mean; in a fabric yarns lie flat.
-    if (height > yarn.width)
-        found.push_back(fmt::format("fabric {}: yarns of {} that are {} wide would be {} high", fabric.name,
-                                    text_of(yarn.area, units.area), length(yarn.width), length(height)));
-    else if (fabric.thickness > 0 && fabric.thickness / 2 < least_of_height * height)
-        found.push_back(
-            fmt::format("fabric {}: a thickness of {} lets yarns cross that are {} high (area over width)",
-                        fabric.name, length(fabric.thickness), length(height)));
-    if (fabric.contact_thickness > most_spans * yarn.span)
+    for (const auto& yarns : named_yarns(fabric)) warn_of_yarns(shot, yarns, fabric.thickness, found);
+    const auto [fill, warp] = fabric.systems();
+    const double span = std::max(fill.yarn.span, warp.yarn.span);
+    if (fabric.contact_thickness > most_spans * span)
         found.push_back(fmt::format(
             "fabric {}: plies touch at a distance of {} (contact_thickness), more than two spans of {}",
-            fabric.name, length(fabric.contact_thickness), length(yarn.span)));
+            fabric.name, length(fabric.contact_thickness), length(span)));
 }
 
 }  // namespace weavefront::app

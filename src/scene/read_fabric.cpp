@@ -12,8 +12,7 @@
 namespace weavefront::scene {
 namespace {
 
-// Below 1 the weakest links are the most frequent; glass fibres have 4, aramid and polyethylene yarns 10
-// to 50.
+// Below 1 links of no strength would be the most frequent.
 constexpr Range weibull{1, true, 1000, " of 1 to 1000", "'20'"};
 // Every whole number up to 2^53 is a double, as scenes are read.
 constexpr std::int64_t most_seeds = std::int64_t{1} << 53;

@@ -69,7 +69,7 @@ DataSheetYarns read_yarns(Section& section, double density, const std::optional<
 /// YarnSystem::crimp.
 double crimp_height(double span, double crimp) { return span / 2 * std::sqrt((1 + crimp) * (1 + crimp) - 1); }
 
-/// Heights of the crossover over the ends of the bars, IT04 figure 3, m: from the measured crimps, as they
+/// Heights of the crossover over the ends of the bars (34), m: from the measured crimps, as they
 /// are, or from the thickness in equal parts.
 Both read_crimp_heights(Section& section, const Both& span) {
     if (section.has("crimp_height")) {

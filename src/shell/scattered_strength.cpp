@@ -97,10 +97,9 @@ double ScatteredStrength::mean_of_yarns(const Yarns& yarns,
         return (static_cast<double>(yarn) + 0.5) * yarns.spacing;
     };
     for (auto yarn = cell_of(heights.begin, yarns.spacing); middle_of(yarn) < heights.end; ++yarn) {
-        if (middle_of(yarn) < heights.begin) continue;
         const auto part = chord(turned, middle_of(yarn));
         const double length = part.end - part.begin;
-        if (!(length > 0)) continue;
+        if (!(length > 0)) continue;  // the line is beside the element
         sum += length * strength(yarn, part);
         lengths += length;
     }

@@ -148,6 +148,31 @@ def check_far_apart(program, scene):
     ), (len(rows), rows[-1])
 
 
+def check_unequal(program, scene):
+    """Fill and warp have curves of their own, and the cell has both."""
+    unequal = [
+        "--set",
+        "fabrics.kevlar129.elastic={modulus: {fill: 96 GPa, warp: 80 GPa}}",
+        "--set",
+        "fabrics.kevlar129.failure={strain: {fill: 3 %, warp: 4 %}}",
+    ]
+    for yarn, modulus, strain in (("fill", 96e9, 0.03), ("warp", 80e9, 0.04)):
+        result = call(program, "yarn", scene, "--rates", "1", "--yarn", yarn, "--out", "yarn.csv", *unequal)
+        assert result.returncode == 0, result
+        last = rows_of("yarn.csv")[1][-1]
+        # the increment is 2e-5 of the failure strain
+        assert abs(last["strain"] / strain - 1) < 3e-5 and last["failure"] == 20, (yarn, last)
+        assert abs(last["stress"] / (modulus * last["strain"]) - 1) < 1e-12, (yarn, last)
+    with open("path.csv", "w") as file:
+        file.write("time,F11,F12,F21,F22\n0,1,0,0,1\n1e-6,1.01,0,0,1.02\n")
+    straight = ["--set", "fabrics.kevlar129.thickness=0", "--set", "fabrics.kevlar129.friction=0"]
+    result = call(program, "cell", scene, "--path", "path.csv", "--out", "cell.csv", *unequal, *straight)
+    assert result.returncode == 0, result
+    last = rows_of("cell.csv")[1][-1]
+    assert abs(last["stress_fill"] / (96e9 * 0.01) - 1) < 1e-12, last
+    assert abs(last["stress_warp"] / (80e9 * 0.02) - 1) < 1e-12, last
+
+
 def check_excel(program, scene):
     """Saved by a spreadsheet: a byte order mark, line ends of two characters, blanks."""
     with open("path.csv", "wb") as file:
@@ -169,6 +194,7 @@ def check_refusals(program, scene):
         (["--rates", "0,-1"], "--rates: found '0', allowed positive"),
         (["--rates", "ten"], ""),
         (["--rates", "5", "--fabric", "kevlar128"], "did you mean 'kevlar129'?"),
+        (["--rates", "5", "--yarn", "weft"], "--yarn: found 'weft', allowed fill or warp"),
     ]:
         result = call(program, "yarn", scene, "--out", "never.csv", *arguments)
         assert result.returncode == 2 and finding in result.stderr, (arguments, result)
@@ -201,6 +227,7 @@ def main():
         check_yarn(program, scene)
         check_far_apart(program, scene)
         check_cell(program, scene)
+        check_unequal(program, scene)
         check_excel(program, scene)
         check_refusals(program, scene)
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "../fabric/kevlar129.hpp"
@@ -97,6 +98,36 @@ TEST(ScatteredStrength, APieceIsAsStrongAsItsWeakestPart) {
         };
         EXPECT_DOUBLE_EQ(of(3 * i, 3), std::min({of(3 * i, 1), of(3 * i + 1, 1), of(3 * i + 2, 1)}));
     }
+}
+
+TEST(ScatteredStrength, WarpRunsAcrossTheFill) {
+    const ScatteredStrength strengths(scattered(), 0, 0);
+    for (std::int64_t column = -4; column < 4; ++column) {
+        const auto x = static_cast<double>(column) * link;
+        double weakest_warp = 1e300, sum_of_fill = 0;
+        for (int row = -2; row < 3; ++row) {
+            const auto part = strengths.of(rectangle(x, x + link, row * spacing, (row + 1) * spacing));
+            weakest_warp = std::min(weakest_warp, part.warp);
+            sum_of_fill += part.fill;
+        }
+        const auto strip = strengths.of(rectangle(x, x + link, -2 * spacing, 3 * spacing));
+        EXPECT_DOUBLE_EQ(strip.warp, weakest_warp);
+        EXPECT_DOUBLE_EQ(strip.fill, sum_of_fill / 5);
+    }
+}
+
+TEST(ScatteredStrength, AMiddleCountsOnEitherSideOfTheOrigin) {
+    // elements that begin and end between the middles of links
+    const ScatteredStrength strengths(scattered(), 0, 0);
+    for (std::int64_t i = -6; i < 6; ++i)
+        for (const auto& [offset, first] : {std::pair{0.3, i}, {0.7, i + 1}}) {
+            const double x = (static_cast<double>(i) + offset) * link,
+                         y = (static_cast<double>(i) + offset) * spacing;
+            const auto part = strengths.of(rectangle(x, x + 2 * link, y, y + spacing));
+            const auto one = strengths.of(piece(first, first, 1)),
+                       other = strengths.of(piece(first, first + 1, 1));
+            EXPECT_DOUBLE_EQ(part.fill, std::min(one.fill, other.fill)) << i << " and " << offset;
+        }
 }
 
 TEST(ScatteredStrength, ElementsOfOneLinkAreEquallyStrong) {

@@ -30,7 +30,7 @@ namespace weavefront::solver {
 class TightStepBound {
   public:
     /// Whether any part may lower the bound of a scene. Flat contact needs contact. The other parts need
-    /// crimped or packed yarns, and the consistent formulation in all plies.
+    /// crimped or packed yarns, and the consistent formulation with equal fill and warp in all plies.
     [[nodiscard]] static bool applies_to(const scene::Scene& scene);
 
     TightStepBound(const scene::Scene& scene, const mesh::Panel& panel);
@@ -90,7 +90,7 @@ class TightStepBound {
 
     ContactModes contact_;
     FlatContact flat_contact_;
-    bool crimped_, packing_;        // of any ply, where all are of the consistent formulation
+    bool crimped_, packing_;  // of any ply, where all are of the consistent formulation and of equal yarns
     double coupling_over_density_;  // 4 c over the areal density, m2/s2
     double smallest_area_;          // m2
     FreeEdges free_edges_;

@@ -54,7 +54,7 @@ void crimp(::benchmark::State& state) {
             const Real h_f = c.thickness * load(drawn.height), h_w = 0.5 * c.thickness - h_f,
                        half_span = 0.5 * c.fill.span;
             const Real a_f = half_span * load(drawn.stretch_f), a_w = half_span * load(drawn.stretch_w),
-                       slope = step.modulus * c.fill.inverse_length;
+                       slope = step.fill.modulus * c.fill.inverse_length;
             const fabric::EndBalance<Real> balance{
                 {.a_f = a_f,
                  .a_w = a_w,

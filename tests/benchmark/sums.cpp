@@ -42,7 +42,7 @@ BENCHMARK(internal_force);
 void assembly(::benchmark::State& state) {
     Square square;
     square.advance(square.wander.at(0.01));
-    solver::Assembly assembly(1e3);
+    solver::Assembly assembly(1e3, 1e-2);
     std::vector<solver::FixedVector> sums(square.mesh.X.size());
     for (auto _ : state) {
         assembly.start(sums);

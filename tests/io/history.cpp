@@ -58,7 +58,7 @@ const char* const numbered_line =
 TEST(History, HoldsTheColumnsInTheirOrderAtFullPrecision) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
-    History history(directory / "history.csv", {}, comm);
+    History history(directory / "history.csv", HistoryRow(), comm);
     history.publish();
     history.write(numbered_row());
     history.write(numbered_row());
@@ -93,9 +93,9 @@ TEST(History, AppearsUnderItsNameWithItsHeader) {
     const auto path = directory / "history.csv";
     if (comm.rank() == 0) std::ofstream(path) << "of an earlier run";
     MPI_Barrier(comm.get());
-    { const History unpublished(path, {}, comm); }
+    { const History unpublished(path, HistoryRow(), comm); }
     EXPECT_TRUE(comm.rank() != 0 || content(path) == "of an earlier run");
-    History history(path, {}, comm);
+    History history(path, HistoryRow(), comm);
     history.publish();
     EXPECT_TRUE(comm.rank() != 0 || content(path) == std::string(header) + "\n");
     EXPECT_TRUE(comm.rank() != 0 || !std::filesystem::exists(path.string() + ".new"));
@@ -105,7 +105,7 @@ TEST(History, AppearsUnderItsNameWithItsHeader) {
 TEST(History, HoldsWholeRowsWhenTheDiskIsFull) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
-    History history(directory / "history.csv", {}, comm);
+    History history(directory / "history.csv", HistoryRow(), comm);
     history.publish();
     const auto one_row = std::string(header) + "\n" + numbered_line + "\n";
     rlimit before{};
@@ -125,7 +125,7 @@ TEST(History, HoldsWholeRowsWhenTheDiskIsFull) {
 TEST(History, RefusesWhatIsNotFinite) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
-    History history(directory / "history.csv", {}, comm);
+    History history(directory / "history.csv", HistoryRow(), comm);
     history.publish();
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
         auto row = numbered_row();
@@ -142,7 +142,7 @@ TEST(History, FailsOnAllRanksWhereItCannotBeCreated) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
     const auto path = directory / "missing/history.csv";
-    const auto message = message_of<FileError>([&] { const History history(path, {}, comm); });
+    const auto message = message_of<FileError>([&] { const History history(path, HistoryRow(), comm); });
     EXPECT_EQ(message, path.string() + " cannot be written: No such file or directory");
 }
 
@@ -150,7 +150,7 @@ TEST(History, NoticesThatItWasMoved) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
     const auto path = directory / "history.csv";
-    History history(path, {}, comm);
+    History history(path, HistoryRow(), comm);
     history.publish();
     history.require_in_place();
     if (comm.rank() == 0) std::filesystem::remove(path);

@@ -18,7 +18,9 @@ constexpr double largest_force = 100;  // N; forces below 1024 times the next po
 /// Element forces of a group, and their sums at the nodes.
 struct Forces {
     Forces()
-        : simulation(scene_with({}), comm), assembly(largest_force), group(*simulation.model().groups[0]) {
+        : simulation(scene_with({}), comm),
+          assembly(largest_force, 1e-2),
+          group(*simulation.model().groups[0]) {
         packs = (group.size() + shell::pack_width - 1) / shell::pack_width;
         values.resize(static_cast<std::size_t>(packs) * shell::forces_per_pack);
         std::ranges::fill(values, 1.0);

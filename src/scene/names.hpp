@@ -28,7 +28,17 @@ inline constexpr Names<Edge, 6> edge_names{{{"fixed", Edge::fixed},
                                             {"free", Edge::free},
                                             {"clamped", Edge::fixed},
                                             {"pinned", Edge::fixed}}};
-inline constexpr Names<Shape, 2> shape_names{{{"cylinder", Shape::cylinder}, {"sphere", Shape::sphere}}};
+inline constexpr Names<Shape, 11> shape_names{{{"cylinder", Shape::cylinder},
+                                               {"sphere", Shape::sphere},
+                                               {"hemisphere", Shape::hemisphere},
+                                               {"cone", Shape::cone},
+                                               {"truncated_cone", Shape::truncated_cone},
+                                               {"ogive", Shape::ogive},
+                                               {"profile", Shape::profile},
+                                               {"fsp", Shape::fsp},
+                                               {"box", Shape::box},
+                                               {"ring_segment", Shape::ring_segment},
+                                               {"mesh", Shape::mesh}}};
 inline constexpr Names<Stop, 2> stop_names{{{"end", Stop::end}, {"decided", Stop::decided}}};
 inline constexpr Names<std::size_t, 2> axis_names{{{"x", 0}, {"y", 1}}};
 inline constexpr Names<Field, 7> field_names{{{"displacement", Field::displacement},

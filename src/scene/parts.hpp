@@ -28,6 +28,9 @@ std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics,
 /// `projectile`. @param target null when the scene has none
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);
 
+/// Shape and mass of a projectile.
+void read_shape(Section& section, Projectile& projectile);
+
 /// `contact`. @param target null: there is none
 Contact read_contact(Section& section, const Target* target, const Projectile* projectile);
 

@@ -343,8 +343,7 @@ void Simulation::move_nodes() {
 void Simulation::look_for_passages() {
     if (!model_.projectile_contact || clock_.steps % steps_between_passages != 0 || passages_.all()) return;
     const auto& projectile = *scene_.projectile;
-    const double length = projectile.shape == scene::Shape::sphere ? projectile.diameter : projectile.length;
-    const Vec3 middle = model_.projectile->position - Vec3(0, 0, length / 2);
+    const Vec3 middle = model_.projectile->position - Vec3(0, 0, projectile.length / 2);
     if (middle.z() <= 0) return;  // in front of the first ply as it was
     passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, projectile.diameter / 2,
                    clock_.time, comm_);

@@ -126,8 +126,15 @@ void add_yarn(CLI::App& app) {
 void add_fabrics(CLI::App& app) {
     auto* command =
         app.add_subcommand("fabrics", "List the fabrics of the library: every value with its source");
-    auto options = options_of<FabricsOptions>(*command, fabrics);
+    auto options = options_of<LibraryOptions>(*command, fabrics);
     command->add_option("NAME", options->name, "One fabric (default: all)");
+}
+
+void add_projectiles(CLI::App& app) {
+    auto* command =
+        app.add_subcommand("projectiles", "List the projectiles of the library: every value with its source");
+    auto options = options_of<LibraryOptions>(*command, projectiles);
+    command->add_option("NAME", options->name, "One projectile (default: all)");
 }
 
 void add_study(CLI::App& app) {
@@ -191,7 +198,8 @@ void execute(const std::vector<std::string>& arguments) {
         "Exit status: 0 done, 1 stopped by the physics or numerics guard, 2 bad input or usage, 3 system "
         "error, 4 stopped on request.");
     app.require_subcommand(1);
-    for (const auto add : {add_run, add_check, add_cell, add_yarn, add_fabrics, add_study, add_partition})
+    for (const auto add :
+         {add_run, add_check, add_cell, add_yarn, add_fabrics, add_projectiles, add_study, add_partition})
         add(app);
     refuse_unknown_words(app, arguments);
     try {

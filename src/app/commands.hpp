@@ -50,12 +50,15 @@ struct YarnOptions {
 /// Strains one yarn at constant rates up to its failure.
 void yarn(const YarnOptions& options);
 
-struct FabricsOptions {
+struct LibraryOptions {
     std::string name;  ///< empty: all
 };
 
 /// Prints fabrics of the library with their values and sources.
-void fabrics(const FabricsOptions& options);
+void fabrics(const LibraryOptions& options);
+
+/// Prints projectiles of the library with their values and sources.
+void projectiles(const LibraryOptions& options);
 
 struct StudyOptions {
     std::filesystem::path study, output, check;  ///< output empty: runs/<study name>; check empty: none

@@ -105,8 +105,8 @@ void partition(const PartitionOptions& options) {
     const parallel::Environment environment(nullptr, nullptr);
     const parallel::Communicator comm(MPI_COMM_WORLD);
     require_one_job(comm.size());
-    const auto scene =
-        scene::parse_scene(shared_text(options.scene, comm), options.scene.string(), options.overrides);
+    const auto scene = scene::parse_scene(shared_text(options.scene, comm), options.scene.string(),
+                                          options.overrides, scene::Need::impact, shared_files(comm));
     const bool calibrates = !options.calibrate.empty();
     if (const auto& file = calibrates ? options.calibrate : options.out; !file.empty()) {
         require_other_file(calibrates ? "--calibrate" : "--out", file, {options.scene, options.machine});

@@ -26,7 +26,8 @@ namespace {
 
 /// Rank 0 reads the file; all ranks parse the same text and so find the same faults.
 scene::Scene read_on_root(const RunOptions& options, const parallel::Communicator& comm) {
-    return scene::parse_scene(shared_text(options.scene, comm), options.scene.string(), options.overrides);
+    return scene::parse_scene(shared_text(options.scene, comm), options.scene.string(), options.overrides,
+                              scene::Need::impact, shared_files(comm));
 }
 
 /// The same text on all ranks; what it says may depend on the libraries of a node.

@@ -152,7 +152,7 @@ void RunReport::start(const solver::Simulation& simulation) {
                               fabric.areal_density * 1e3, fabric.effective_thickness() * 1e3));
     if (scene_.projectile)
         log_.info(fmt::format("  projectile    {} of {:.4g} g, {:.4g} mm across, {:.6g} m/s",
-                              scene_.projectile->shape == scene::Shape::sphere ? "sphere" : "cylinder",
+                              scene::shape_name(scene_.projectile->shape),
                               scene_.projectile->mass * 1e3, scene_.projectile->diameter * 1e3,
                               model.projectile->velocity().norm()));
     log_.info(fmt::format("  ranks         {}, {:.1f} MB in all for mesh and fabric", comm_.size(),

@@ -76,6 +76,13 @@ Segment arc(const MeridianPoint& centre, double radius, double from, double to) 
     return {point_of(arc, from), point_of(arc, to), arc};
 }
 
+void add_shank(Meridian& meridian, double radius, double length) {
+    const MeridianPoint shoulder{radius, meridian.back().to.z}, rear{radius, -length};
+    constexpr double rounding = 1e-9;
+    if (shoulder.z - rear.z > rounding * radius) meridian.push_back(line(shoulder, rear));
+    meridian.push_back(line(rear, {0, -length}));
+}
+
 MassProperties mass_of_revolution(const Meridian& meridian) {
     Moments moments;
     for (const auto& segment : meridian) add_segment(segment, moments);

@@ -37,6 +37,9 @@ Segment line(const MeridianPoint& from, const MeridianPoint& to);
 /// An arc about a centre.
 Segment arc(const MeridianPoint& centre, double radius, double from, double to);
 
+/// Appends the cylinder behind a nose, and the rear face. @param length of the body, m
+void add_shank(Meridian& meridian, double radius, double length);
+
 /// Volume, centroid and inertia of the body at uniform density.
 MassProperties mass_of_revolution(const Meridian& meridian);
 

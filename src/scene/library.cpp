@@ -20,26 +20,32 @@ LibraryValue value_of(const Entry& entry, const Value& sources) {
     return value;
 }
 
-std::vector<LibraryFabric> read_library() {
-    const Value document = parse_document(library_text(), [](int line, int column) {
+/// @param key of the entries
+Library read_library(const std::string& text, std::string_view key) {
+    const Value document = parse_document(text, [](int line, int column) {
         return Location{"", line, column};
     });
     const auto& sources = find(document, "sources")->value;
-    std::vector<LibraryFabric> fabrics;
-    for (const auto& entry : find(document, "fabrics")->value.entries) {
-        auto& fabric =
-            fabrics.emplace_back(LibraryFabric{entry.key, find(entry.value, "title")->value.text, {}});
+    Library library;
+    for (const auto& entry : find(document, key)->value.entries) {
+        auto& known =
+            library.emplace_back(LibraryEntry{entry.key, find(entry.value, "title")->value.text, {}});
         for (const auto& value : find(entry.value, "values")->value.entries)
-            fabric.values.push_back(value_of(value, sources));
+            known.values.push_back(value_of(value, sources));
     }
-    return fabrics;
+    return library;
 }
 
 }  // namespace
 
-const std::vector<LibraryFabric>& fabric_library() {
-    static const std::vector<LibraryFabric> fabrics = read_library();
+const Library& fabric_library() {
+    static const Library fabrics = read_library(fabrics_text(), "fabrics");
     return fabrics;
+}
+
+const Library& projectile_library() {
+    static const Library projectiles = read_library(projectiles_text(), "projectiles");
+    return projectiles;
 }
 
 }  // namespace weavefront::scene

@@ -1,11 +1,12 @@
 #pragma once
 /// @file
-/// The file fabrics.yaml, which the build puts into the program.
+/// The files fabrics.yaml and projectiles.yaml, which the build puts into the program.
 
 #include <string>
 
 namespace weavefront::scene {
 
-std::string library_text();
+std::string fabrics_text();
+std::string projectiles_text();
 
 }  // namespace weavefront::scene

@@ -28,7 +28,17 @@ inline constexpr Names<Edge, 6> edge_names{{{"fixed", Edge::fixed},
                                             {"free", Edge::free},
                                             {"clamped", Edge::fixed},
                                             {"pinned", Edge::fixed}}};
-inline constexpr Names<Shape, 2> shape_names{{{"cylinder", Shape::cylinder}, {"sphere", Shape::sphere}}};
+inline constexpr Names<Shape, 11> shape_names{{{"cylinder", Shape::cylinder},
+                                               {"sphere", Shape::sphere},
+                                               {"hemisphere", Shape::hemisphere},
+                                               {"cone", Shape::cone},
+                                               {"truncated_cone", Shape::truncated_cone},
+                                               {"ogive", Shape::ogive},
+                                               {"profile", Shape::profile},
+                                               {"fsp", Shape::fsp},
+                                               {"box", Shape::box},
+                                               {"ring_segment", Shape::ring_segment},
+                                               {"mesh", Shape::mesh}}};
 /// What of the projectile's motion is held.
 enum class Fixed { nothing, rotation };
 inline constexpr Names<Fixed, 1> fixed_names{{{"rotation", Fixed::rotation}}};

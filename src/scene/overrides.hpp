@@ -28,6 +28,7 @@ void apply_settings(Value& root, std::span<const Setting> settings, Findings& fi
 using Change = std::function<void(Value&, Findings&)>;
 
 /// `parse_scene` with any change of its tree.
-Scene parse_changed_scene(const std::string& text, const std::string& name, const Change& change, Need need);
+Scene parse_changed_scene(const std::string& text, const std::string& name, const Change& change, Need need,
+                          const ReadFile& read_file = {});
 
 }  // namespace weavefront::scene

@@ -28,6 +28,9 @@ std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics,
 /// `projectile`. @param target null when the scene has none
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);
 
+/// Shape and mass of a projectile.
+void read_shape(Section& section, Projectile& projectile);
+
 /// `orientation`, `spin` and the like of the projectile. @param target null when the scene has none
 void read_attitude(Section& section, Projectile& projectile, const Target* target);
 

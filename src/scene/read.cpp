@@ -6,6 +6,7 @@
 
 #include "hash.hpp"
 #include "library_fabrics.hpp"
+#include "library_projectiles.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "weavefront/scene/text.hpp"
@@ -53,17 +54,19 @@ Scene read_parts(Section& root, Need need) {
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
-                  Need need) {
+                  Need need, const ReadFile& read_file) {
     return parse_changed_scene(
         text, name, [&](Value& root, Findings& findings) { apply_overrides(root, overrides, findings); },
-        need);
+        need, read_file);
 }
 
-Scene parse_changed_scene(const std::string& text, const std::string& name, const Change& change, Need need) {
+Scene parse_changed_scene(const std::string& text, const std::string& name, const Change& change, Need need,
+                          const ReadFile& read_file) {
     Value document = parse_document(text, [&](int line, int column) {
         return Location{fmt::format("{}:{}:{}", name, line, column), line, column};
     });
     Context context;
+    context.read_file = read_file ? read_file : ReadFile(read_bytes);
     change(document, context.findings);
     const Location start{fmt::format("{}:1:1", name), 1, 1};
     if (document.kind != Value::Kind::map) {
@@ -77,6 +80,7 @@ Scene parse_changed_scene(const std::string& text, const std::string& name, cons
         context.findings.raise();
     }
     insert_library_fabrics(document, context.findings);
+    insert_standard_projectile(document, context.findings);
     Section root(document, start, "", context);
     Scene scene = read_parts(root, need);
     root.refuse_unknown();

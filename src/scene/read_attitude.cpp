@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "attitude.hpp"
@@ -62,15 +63,33 @@ void read_inertia(Section& section, Projectile& projectile) {
                       "three moments of which none is more than the sum of the others");
 }
 
+/// Whether the turned shape is its own mirror image about a plane through its axis: a body of revolution with
+/// its axis in the plane, another one with its own plane of symmetry there.
+bool is_symmetric(const Projectile& projectile, std::size_t plane) {
+    constexpr double rounding = 1e-12;
+    const auto along_normal = [&](std::size_t axis) {
+        return std::abs(turned_axis(projectile.attitude, axis)[plane]);
+    };
+    switch (projectile.shape) {
+        case Shape::box:
+        case Shape::fsp:
+        case Shape::ring_segment:
+            return std::max(along_normal(0), along_normal(1)) > 1 - rounding;
+        case Shape::mesh:
+            return along_normal(plane) > 1 - rounding;
+        default:
+            return along_normal(2) < rounding;
+    }
+}
+
 /// The mirror image turns the other way about every axis but the normal of the plane of symmetry.
 void check_symmetry(Section& section, const Projectile& projectile, const Target& target) {
-    const double rounding = 1e-12;
     const std::string_view spin = section.has("spin") ? "spin" : "angular_velocity";
-    const auto nose = turned_axis(projectile.attitude, 2);
     for (const auto& [name, plane] : axis_names) {
         if (!target.symmetry[plane]) continue;
-        section.refuse_if(std::abs(nose[plane]) > rounding, "orientation",
-                          fmt::format("an axis in the plane of symmetry {} = 0", name));
+        section.refuse_if(
+            !is_symmetric(projectile, plane), "orientation",
+            fmt::format("one with which the projectile is its own mirror image about {} = 0", name));
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (axis != plane && std::abs(projectile.angular_velocity[axis]) > 0) {
                 section.refuse_if(true, spin,

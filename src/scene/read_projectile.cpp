@@ -2,45 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "attitude.hpp"
 #include "parts.hpp"
+#include "stl.hpp"
 
 namespace weavefront::scene {
 namespace {
-
-constexpr double steel = 7850;  // kg/m3
-
-double steel_length(const Projectile& projectile) {
-    const double section = std::numbers::pi / 4 * projectile.diameter * projectile.diameter;
-    return std::max(projectile.mass / (steel * section), 2 * projectile.edge_radius);
-}
-
-void read_cylinder(Section& section, Projectile& projectile) {
-    projectile.edge_radius = section.quantity("edge_radius", length, non_negative, 0);
-    section.refuse_if(
-        projectile.edge_radius > projectile.diameter / 2, "edge_radius",
-        fmt::format("at most {}, half the diameter",
-                    at_most_text(projectile.diameter / 2, section.unit_of("edge_radius", length))));
-    projectile.length = section.quantity("length", length, positive, steel_length(projectile));
-    section.refuse_if(
-        projectile.length < 2 * projectile.edge_radius, "length",
-        fmt::format("at least {}, twice the edge radius",
-                    at_least_text(2 * projectile.edge_radius, section.unit_of("length", length))));
-}
-
-/// How far the projectile reaches ahead of its reference point along z, m. A bound: that of the cylinder
-/// around it.
-double reach_ahead(const Projectile& projectile) {
-    const auto across_x = turned_axis(projectile.attitude, 0)[2],
-               across_y = turned_axis(projectile.attitude, 1)[2],
-               along = turned_axis(projectile.attitude, 2)[2];
-    const double radius = projectile.diameter / 2;
-    if (projectile.shape == Shape::sphere) return radius * (1 - along);
-    return radius * std::sqrt(across_x * across_x + across_y * across_y) +
-           std::max(0.0, -along * projectile.length);
-}
 
 // The shot must start in front of the target, hit it, and lie in the planes of symmetry.
 void check_shot(Section& section, const Projectile& projectile, const Target& target, double foremost) {
@@ -56,6 +24,9 @@ void check_shot(Section& section, const Projectile& projectile, const Target& ta
         section.refuse_item_if(std::abs(projectile.position[axis]) > half, "position", axis,
                                fmt::format("from -{0} to {0}: over the target", at_most_text(half, unit)));
         if (!target.symmetry[axis]) continue;
+        section.refuse_if(
+            projectile.shape == Shape::mesh && !is_symmetric(projectile.triangles, axis), "shape",
+            fmt::format("one that is its own mirror image about {0} = 0 with symmetry {0}", name));
         section.refuse_item_if(std::abs(projectile.position[axis]) > 0, "position", axis,
                                fmt::format("0 with symmetry {}", name));
         section.refuse_item_if(std::abs(projectile.velocity[axis]) > 0, "velocity", axis,
@@ -63,21 +34,31 @@ void check_shot(Section& section, const Projectile& projectile, const Target& ta
     }
 }
 
+/// Distance by which a hollow nose reaches ahead of its foremost point on the axis, m.
+double ahead_of_nose(const Projectile& projectile) {
+    double ahead = 0;
+    for (const auto& point : projectile.profile) ahead = std::max(ahead, point[1]);
+    for (const auto& point : projectile.triangles.points) ahead = std::max(ahead, point[2]);
+    return ahead;
+}
+
+/// How far the projectile reaches ahead of its reference point along z, m. A bound: that of the cylinder
+/// around it.
+double reach_ahead(const Projectile& projectile) {
+    const auto across_x = turned_axis(projectile.attitude, 0)[2],
+               across_y = turned_axis(projectile.attitude, 1)[2],
+               along = turned_axis(projectile.attitude, 2)[2];
+    const double radius = projectile.diameter / 2, ahead = ahead_of_nose(projectile);
+    if (projectile.shape == Shape::sphere) return radius * (1 - along);
+    return radius * std::sqrt(across_x * across_x + across_y * across_y) +
+           std::max(along * ahead, -along * (projectile.length - ahead));
+}
+
 }  // namespace
 
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target) {
     Projectile projectile;
-    projectile.shape = section.choice("shape", shape_names, std::nullopt,
-                                      {"cone", "ogive", "fsp", "hemisphere", "mesh", "profile"});
-    projectile.diameter = section.quantity("diameter", length, positive);
-    projectile.mass = section.quantity("mass", mass, positive);
-    if (projectile.shape == Shape::cylinder) {
-        read_cylinder(section, projectile);
-    } else {
-        for (const std::string_view key : {"edge_radius", "length"})
-            section.refuse_if(section.has(key), key, "none for a sphere");
-    }
-
+    read_shape(section, projectile);
     const bool hits_fabric = target != nullptr && !target->plies.empty() && target->plies[0].fabric >= 0;
     const double surface =
         hits_fabric ? -fabrics[static_cast<std::size_t>(target->plies[0].fabric)].contact_thickness / 2 : 0;
@@ -87,7 +68,7 @@ Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, co
         section.vector<3>("position", length, any_value, std::array<double, 3>{0, 0, foremost});
     projectile.velocity = section.vector<3>("velocity", speed, any_value);
     if (hits_fabric) check_shot(section, projectile, *target, foremost);
-    section.unavailable({"friction", "file"});
+    section.unavailable({"friction"});
     return projectile;
 }
 

@@ -104,14 +104,64 @@ void write_target(std::string& text, const Target& target, const std::vector<Fab
     }
 }
 
+template <std::size_t N>
+void write_points(std::string& text, const std::vector<std::array<double, N>>& points) {
+    line(text, "  points:");
+    for (const auto& point : points) line(text, "    - [{} m]", fmt::join(point, " m, "));
+}
+
+/// The keys of a shape beside `shape`, `mass` and `diameter`.
+void write_dimensions(std::string& text, const Projectile& p) {
+    switch (p.shape) {
+        case Shape::sphere:
+            return;
+        case Shape::cylinder:
+            line(text, "  edge_radius: {} m", p.edge_radius);
+            break;
+        case Shape::hemisphere:
+            break;
+        case Shape::cone:
+            line(text, "  nose_length: {} m", p.nose_length);
+            line(text, "  tip_radius: {} m", p.tip_radius);
+            break;
+        case Shape::truncated_cone:
+            line(text, "  nose_length: {} m", p.nose_length);
+            line(text, "  tip_diameter: {} m", p.tip_diameter);
+            break;
+        case Shape::ogive:
+            line(text, "  caliber_radius_head: {}", p.caliber_radius_head);
+            line(text, "  tip_radius: {} m", p.tip_radius);
+            break;
+        case Shape::fsp:
+            line(text, "  flat_width: {} m", p.flat_width);
+            line(text, "  flat_angle: {} rad", p.flat_angle);
+            break;
+        case Shape::profile:
+            return write_points(text, p.profile);
+        case Shape::box:
+            return line(text, "  size: [{} m]", fmt::join(p.size, " m, "));
+        case Shape::ring_segment:
+            line(text, "  outer_radius: {} m", p.outer_radius);
+            line(text, "  thickness: {} m", p.thickness);
+            line(text, "  width: {} m", p.width);
+            return line(text, "  sector: {} rad", p.sector);
+        case Shape::mesh:
+            write_points(text, p.triangles.points);
+            line(text, "  triangles:");
+            for (const auto& corners : p.triangles.corners)
+                line(text, "    - [{}]", fmt::join(corners, ", "));
+            return;
+    }
+    line(text, "  length: {} m", p.length);
+}
+
 void write_projectile(std::string& text, const Projectile& p, const std::array<bool, 2>& symmetry) {
     line(text, "projectile:");
-    line(text, "  shape: {}", name_of(p.shape, shape_names));
-    line(text, "  diameter: {} m", p.diameter);
-    if (p.shape == Shape::cylinder) {
-        line(text, "  edge_radius: {} m", p.edge_radius);
-        line(text, "  length: {} m", p.length);
-    }
+    line(text, "  shape: {}", shape_name(p.shape));
+    const bool derived = p.shape == Shape::profile || p.shape == Shape::box ||
+                         p.shape == Shape::ring_segment || p.shape == Shape::mesh;
+    if (!derived) line(text, "  diameter: {} m", p.diameter);
+    write_dimensions(text, p);
     line(text, "  mass: {} kg", p.mass);
     line(text, "  position: [{} m, {} m, {} m]", p.position[0], p.position[1], p.position[2]);
     line(text, "  velocity: [{} m/s, {} m/s, {} m/s]", p.velocity[0], p.velocity[1], p.velocity[2]);

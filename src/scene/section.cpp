@@ -21,6 +21,10 @@ std::string allowed_quantity(const Dimension& dimension, const Range& range) {
                        range.example.empty() ? dimension.example : range.example);
 }
 
+std::string allowed_list(std::size_t items, const Dimension& dimension, const Range& range) {
+    return fmt::format("a list of {}, each {}", items, allowed_quantity(dimension, range));
+}
+
 std::optional<MessageUnit> written_unit(const Value& value, const Dimension& dimension, const Units& units) {
     const Quantity quantity =
         value.kind == Value::Kind::scalar ? units.read(value.text, dimension) : Quantity{};
@@ -101,19 +105,36 @@ double Section::read_quantity(const Value& value, const std::string& path, const
 void Section::components(std::string_view key, const Dimension& dimension, const Range& range,
                          std::span<double> values) {
     const Entry* found = entry(key);
-    const std::string allowed =
-        fmt::format("a list of {}, each {}", values.size(), allowed_quantity(dimension, range));
-    if (found == nullptr) return context_.findings.add(where_, inside(key), "nothing", allowed);
-    const Value& list = found->value;
+    if (found == nullptr)
+        return context_.findings.add(where_, inside(key), "nothing",
+                                     allowed_list(values.size(), dimension, range));
+    components(found->value, inside(key), dimension, range, values);
+}
+
+void Section::components(const Value& list, const std::string& path, const Dimension& dimension,
+                         const Range& range, std::span<double> values) {
+    const std::string allowed = allowed_list(values.size(), dimension, range);
     if (list.kind != Value::Kind::list)
-        return context_.findings.add(list.where, inside(key), describe(list), allowed);
-    if (list.items.size() != values.size()) {
-        return context_.findings.add(list.where, inside(key), fmt::format("a list of {}", list.items.size()),
+        return context_.findings.add(list.where, path, describe(list), allowed);
+    if (list.items.size() != values.size())
+        return context_.findings.add(list.where, path, fmt::format("a list of {}", list.items.size()),
                                      allowed);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = read_quantity(list.items[i], fmt::format("{}.{}", path, i), dimension, range);
+}
+
+const Value* Section::list_of_lists(std::string_view key, std::size_t items, std::size_t most) {
+    const Entry* found = entry(key);
+    const std::string allowed = fmt::format("a list of lists of {}", items);
+    if (found == nullptr)
+        context_.findings.add(where_, inside(key), "nothing", allowed);
+    else if (found->value.kind != Value::Kind::list)
+        context_.findings.add(found->value.where, inside(key), describe(found->value), allowed);
+    else {
+        require_at_most(key, found->value.items.size(), most, "lists");
+        return &found->value;
     }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = read_quantity(list.items[i], fmt::format("{}.{}", inside(key), i), dimension, range);
-    }
+    return nullptr;
 }
 
 std::int64_t Section::count(std::string_view key, std::int64_t high) {
@@ -143,6 +164,15 @@ std::string Section::text(std::string_view key, const std::optional<std::string>
         context_.findings.add(found->value.where, inside(key), describe(found->value), allowed);
     }
     return otherwise.value_or("");
+}
+
+std::string Section::file(std::string_view key, std::size_t most) {
+    const Entry* found = entry(key);
+    if (found->value.kind != Value::Kind::scalar || found->value.text.empty()) {
+        context_.findings.add(found->value.where, inside(key), describe(found->value), "the name of a file");
+        return {};
+    }
+    return context_.read_file(found->value.text, most);
 }
 
 std::optional<std::size_t> Section::missing_name(std::string_view key,

@@ -20,6 +20,7 @@
 #include "findings.hpp"
 #include "names.hpp"
 #include "units.hpp"
+#include "weavefront/scene/read.hpp"
 
 namespace weavefront::scene {
 
@@ -42,6 +43,7 @@ inline constexpr Range at_least_one{1, true, unbounded, " of at least 1", "'1.5'
 struct Context {
     const Units& units = shared_units();
     Findings findings;
+    ReadFile read_file;  ///< of files that the scene names
     MessageUnits message_units;
 };
 
@@ -78,12 +80,28 @@ class Section {
         return values;
     }
 
+    /// A list of lists of N quantities of one dimension. @param most lists
+    template <std::size_t N>
+    std::vector<std::array<double, N>> vectors(std::string_view key, const Dimension& dimension,
+                                               const Range& range, std::size_t most) {
+        const Value* value = list_of_lists(key, N, most);
+        std::vector<std::array<double, N>> all(value == nullptr ? 0 : value->items.size());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            components(value->items[i], inside(key) + "." + std::to_string(i), dimension, range, all[i]);
+        return all;
+    }
+
     /// A whole number from 1 to `high`.
     std::int64_t count(std::string_view key, std::int64_t high);
 
     /// Text. @param otherwise its default; absent: the key is required @param allowed what it is, in messages
     std::string text(std::string_view key, const std::optional<std::string>& otherwise = {},
                      std::string_view allowed = "text");
+
+    /// Content of the file whose name stands under the key, which is there.
+    /// @param most bytes
+    /// @throws InputError when it cannot be read
+    std::string file(std::string_view key, std::size_t most);
 
     /// One of a table of names. @param later names that a later version will serve, refused as such
     template <typename Table>
@@ -189,6 +207,10 @@ class Section {
                          const Range& range);
     void components(std::string_view key, const Dimension& dimension, const Range& range,
                     std::span<double> values);
+    void components(const Value& list, const std::string& path, const Dimension& dimension,
+                    const Range& range, std::span<double> values);
+    /// The list under a key; null, with a finding, where there is none. @param items of each inner list
+    const Value* list_of_lists(std::string_view key, std::size_t items, std::size_t most);
     std::optional<std::size_t> missing_name(std::string_view key, const std::vector<std::string>& names);
     std::optional<std::size_t> name_index(const Value& value, const std::string& path,
                                           const std::vector<std::string>& names,

@@ -45,7 +45,7 @@ std::string in_latin1(unsigned char byte) {
 
 }  // namespace
 
-std::string read_text(const std::filesystem::path& path, std::size_t most) {
+std::string read_bytes(const std::filesystem::path& path, std::size_t most) {
     require_regular(path);
     std::ifstream file(path, std::ios::binary);
     if (!file) refuse(path, std::strerror(errno));
@@ -59,6 +59,11 @@ std::string read_text(const std::filesystem::path& path, std::size_t most) {
                                           printable(path.string(), most_of_path), most)});
     } while (file);
     if (file.bad()) refuse(path, std::strerror(errno));
+    return text;
+}
+
+std::string read_text(const std::filesystem::path& path, std::size_t most) {
+    std::string text = read_bytes(path, most);
     if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
     require_text(text, printable(path.string(), most_of_path));
     return text;

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The library of fabrics that come with the program.
+/// The libraries of fabrics and projectiles that come with the program.
 
 #include <optional>
 #include <string>
@@ -8,20 +8,24 @@
 
 namespace weavefront::scene {
 
-/// One value of a fabric.
+/// One value of a library.
 struct LibraryValue {
-    std::string key;                   ///< below the fabric, with dots: `yarn.denier`
+    std::string key;                   ///< below the fabric or the projectile, with dots: `yarn.denier`
     std::string text;                  ///< as a scene file states it: `34 1/in`
     std::string source;                ///< in words
     std::optional<double> confidence;  ///< that the source says so, where it was quoted from memory, 0 to 1
 };
 
-struct LibraryFabric {
+/// A fabric, or a projectile.
+struct LibraryEntry {
     std::string name, title;
     std::vector<LibraryValue> values;
 };
 
-/// All fabrics, in the order of the library.
-const std::vector<LibraryFabric>& fabric_library();
+/// Entries in the order of a library.
+using Library = std::vector<LibraryEntry>;
+
+const Library& fabric_library();
+const Library& projectile_library();
 
 }  // namespace weavefront::scene

@@ -3,6 +3,7 @@
 /// Reading and validating a scene file.
 
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ class MessageList {
 /// What a command needs of a scene.
 enum class Need { fabrics, impact };
 
+/// Reads the bytes of a file that a scene names. @param most bytes @throws InputError when it cannot
+using ReadFile = std::function<std::string(const std::filesystem::path& path, std::size_t most)>;
+
 /// Reads a scene file, applies overrides, validates it.
 /// @param path      YAML file
 /// @param overrides `PATH=VALUE` with dots between keys, as given to `--set`
@@ -54,8 +58,11 @@ enum class Need { fabrics, impact };
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
                  Need need = Need::impact);
 
-/// The same from text. @param name stands in the messages where the file name would.
+/// The same from text.
+/// @param name      stands in the messages where the file name would
+/// @param read_file reads the files of shapes; absent: from the disk of this host
 Scene parse_scene(const std::string& text, const std::string& name,
-                  const std::vector<std::string>& overrides = {}, Need need = Need::impact);
+                  const std::vector<std::string>& overrides = {}, Need need = Need::impact,
+                  const ReadFile& read_file = {});
 
 }  // namespace weavefront::scene

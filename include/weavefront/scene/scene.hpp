@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "weavefront/scene/message_units.hpp"
@@ -179,15 +180,37 @@ struct Target {
     std::optional<Frame> frame;                           ///< there when an edge rests on it
 };
 
-enum class Shape { sphere, cylinder };
+/// Shapes of the projectile. `profile`: any body of revolution; `mesh`: any closed surface of triangles.
+enum class Shape {
+    sphere,
+    cylinder,
+    hemisphere,
+    cone,
+    truncated_cone,
+    ogive,
+    profile,
+    box,
+    ring_segment,
+    fsp,
+    mesh
+};
+
+/// The name of a shape in scene files.
+std::string_view shape_name(Shape shape);
+
+/// Closed surface of triangles, corners counter-clockwise seen from outside.
+struct Triangles {
+    std::vector<std::array<double, 3>> points;         ///< m
+    std::vector<std::array<std::int32_t, 3>> corners;  ///< indices into `points`
+};
 
 /// Rigid projectile. Its axis is z of its own axes, which `attitude` turns to those of space.
 struct Projectile {
     Shape shape = Shape::cylinder;
-    double diameter = 0;     ///< m
+    double diameter = 0;     ///< twice the largest distance of its surface from the axis, m
     double edge_radius = 0;  ///< of the cylinder's rims, m
-    double length = 0;  ///< of the cylinder, m; default: that of a steel cylinder (7850 kg/m3) of this mass
-    double mass = 0;    ///< kg
+    double length = 0;       ///< along the axis, m; default: of a steel cylinder (7850 kg/m3) of this mass
+    double mass = 0;         ///< kg
     std::array<double, 3>
         position{};  ///< of the foremost point of its nose on the axis, m; default: touching the first ply
     std::array<double, 3> velocity{};  ///< of the centre of mass, m/s
@@ -197,6 +220,19 @@ struct Projectile {
     bool turns = false;                        ///< whether moments turn it
     /// About its axes x, y, z through the centre of mass, kg m2; absent: of its shape at uniform density.
     std::optional<std::array<double, 3>> inertia = {};
+    double nose_length = 0;          ///< of a cone up to its sharp tip, of a frustum to its face, m
+    double tip_radius = 0;           ///< of the sphere that rounds the tip of a cone or an ogive, m
+    double tip_diameter = 0;         ///< of the face of a truncated cone, m
+    double caliber_radius_head = 0;  ///< of a tangent ogive: radius of its arc over the diameter, 1
+    double flat_width = 0;           ///< of the face between the two flats of a chisel nose, m
+    double flat_angle = 0;           ///< of these flats to the face, rad
+    std::array<double, 3> size{};    ///< of a box along x, y, z, m
+    double outer_radius = 0;         ///< of a ring about y, m
+    double thickness = 0;            ///< of the ring along its radius, m
+    double width = 0;                ///< of the ring along y, m
+    double sector = 0;               ///< angle of the part of the ring, rad
+    std::vector<std::array<double, 2>> profile{};  ///< (r, z) from the nose to the rear, m
+    Triangles triangles{};                         ///< of a mesh
 };
 
 /// Penalty contact with hysteresis; stiffness per area is a property of the fabric.

@@ -15,6 +15,11 @@ inline constexpr std::size_t most_of_document = 4'000'000;
 /// Bytes of a table: a row of history.csv takes about 450.
 inline constexpr std::size_t most_of_table = 1'000'000'000;
 
+/// The bytes of a regular file.
+/// @param most bytes of the file
+/// @throws InputError naming file and reason when it cannot be read or is longer than `most`
+std::string read_bytes(const std::filesystem::path& path, std::size_t most);
+
 /// The text of a regular file, in UTF-8, without a byte order mark.
 /// @param most bytes of the file
 /// @throws InputError naming file and reason when it cannot be read, is longer than `most` or no text

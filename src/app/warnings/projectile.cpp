@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "warnings/subjects.hpp"
+#include "weavefront/body/shape.hpp"
 
 namespace weavefront::app {
 
@@ -17,20 +18,14 @@ constexpr double least_density = 450, most_density = 22600;
 // A coin is 0.1 of its width long; rods that pierce armour are up to about 40 times as long as wide.
 constexpr double least_length = 0.05, most_length = 40;
 
-// The axis of a cylinder stays along z: at this angle to its way one side of a rim as wide as the fabric is
+// The axis of a projectile stays along z: at this angle to its way one side of a rim as wide as the fabric is
 // thick arrives first.
 constexpr double most_yaw = std::numbers::pi / 180;
 
-double volume(const scene::Projectile& projectile) {
-    const double d = projectile.diameter;
-    if (projectile.shape == scene::Shape::sphere) return std::numbers::pi / 6 * d * d * d;
-    return std::numbers::pi / 4 * d * d * projectile.length;
-}
-
 void warn_of_shape(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     const auto& units = shot.scene.units;
-    const double d = projectile.diameter, density = projectile.mass / volume(projectile),
-                 ratio = projectile.length / d;
+    const double volume = body::make_shape(projectile)->mass_properties().volume;
+    const double d = projectile.diameter, density = projectile.mass / volume, ratio = projectile.length / d;
     if (projectile.shape == scene::Shape::cylinder && (ratio < least_length || ratio > most_length))
         found.push_back(fmt::format(
             "the projectile is {} long and {} wide: by its mass of {}, unless its length is given",
@@ -46,11 +41,12 @@ void warn_of_shape(const Shot& shot, const scene::Projectile& projectile, Phrase
 void warn_of_yaw(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     const auto& v = projectile.velocity;
     const double angle = std::atan2(std::hypot(v[0], v[1]), v[2]);
-    if (projectile.shape == scene::Shape::cylinder && angle > most_yaw)
-        found.push_back(fmt::format(
-            "the cylinder flies at {:.3g} deg to its axis, which stays along z: velocity {}, {}, {}",
-            angle * 180 / std::numbers::pi, text_of(v[0], shot.scene.units.speed),
-            text_of(v[1], shot.scene.units.speed), text_of(v[2], shot.scene.units.speed)));
+    if (projectile.shape != scene::Shape::sphere && angle > most_yaw)
+        found.push_back(
+            fmt::format("the {} flies at {:.3g} deg to its axis, which stays along z: velocity {}, {}, {}",
+                        scene::shape_name(projectile.shape), angle * 180 / std::numbers::pi,
+                        text_of(v[0], shot.scene.units.speed), text_of(v[1], shot.scene.units.speed),
+                        text_of(v[2], shot.scene.units.speed)));
 }
 
 /// Of a projectile that does not reach the target. Its default position touches the first ply.

@@ -12,6 +12,7 @@ find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # headers only
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 if(WEAVEFRONT_TESTS)
     find_package(benchmark REQUIRED)

@@ -18,6 +18,7 @@ packages=(
     g++ cmake ninja-build git clang-format black
     libopenmpi-dev openmpi-bin libhdf5-openmpi-dev hdf5-tools libmetis-dev libeigen3-dev libgtest-dev libbenchmark-dev valgrind
     libcli11-dev libyaml-cpp-dev libfmt-dev libspdlog-dev libudunits2-dev nlohmann-json3-dev libssl-dev libxxhash-dev
+    libboost-dev
     python3 python3-h5py python3-matplotlib
 )
 

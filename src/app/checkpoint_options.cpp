@@ -5,7 +5,7 @@
 #include <sstream>
 #include <variant>
 
-#include "weavefront/scene/duration.hpp"
+#include "weavefront/scene/quantity.hpp"
 
 namespace weavefront::app {
 namespace {

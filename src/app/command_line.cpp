@@ -151,6 +151,71 @@ void add_study(CLI::App& app) {
     command->add_flag("--no-picture", options->no_picture, "Do not have weavefront-plot draw study.png");
 }
 
+void add_limit_options(CLI::App& command, V50Options& options) {
+    command.add_option(
+        "--from", options.from,
+        "Lowest striking velocity, such as '200 m/s' or '650 ft/s' (default: looked for from the "
+        "scene's velocity downwards)");
+    command.add_option("--to", options.to, "Highest striking velocity (default: looked for upwards)");
+    command.add_option("--width", options.width, "Width of the last bracket (default: 5 m/s)");
+    command.add_option(
+        "--complete", options.complete,
+        "Which shots are complete penetrations: 'perforated', all plies (default); 'any-ply', at "
+        "least one; 'witness 30 m/s', all plies at a residual velocity of at least 30 m/s");
+    command.add_option("--mesh", options.mesh,
+                       "Element sizes at the impact, separated by commas: the limit is found for each");
+    command.add_option("--stiffness", options.stiffness,
+                       "Factors on the contact stiffness, separated by commas: the limit is found for each");
+}
+
+void add_scatter_options(CLI::App& command, V50Options& options) {
+    command
+        .add_option(
+            "--scatter", options.scatter,
+            "A value of the scene that differs from shot to shot: 'PATH=normal(MEAN, DEVIATION)', "
+            "'PATH=uniform(LOW, HIGH)', or 'PATH=seed' for the number of the shot; may be given several "
+            "times")
+        ->allow_extra_args(false);
+    command.add_option("--seed", options.seed, "Of the scatter (default: 1)");
+    command.add_option("--count", options.count, "Shots with scatter (default: 20)");
+    command.add_option(
+        "--sigma", options.sigma,
+        "Guess of the standard deviation of V50, with scatter (default: a twentieth of the way "
+        "from --from to --to)");
+    command.add_option(
+        "--shots", options.shots,
+        "CSV of a range's own shots, added to the fit: columns speed_m_s or speed_ft_s, or speed "
+        "with its unit in each cell, and result: complete or partial");
+    command.add_option("--confidence", options.confidence, "Of the intervals (default: 0.95)");
+}
+
+void add_v50(CLI::App& app) {
+    auto* command = app.add_subcommand(
+        "v50",
+        "Find the ballistic limit of a scene, or its V50 with scatter: mpirun -n N weavefront v50 SCENE");
+    auto options = options_of<V50Options>(*command, v50);
+    add_scene(*command, options->scene, options->overrides);
+    command->add_option("--output", options->output,
+                        "Folder for v50.csv, v50.json, plots and one folder a shot (default: runs/<scene "
+                        "name>_v50)");
+    auto* overwrite =
+        command->add_flag("--overwrite", options->overwrite, "Replace an earlier v50 in the folder");
+    command
+        ->add_option(
+            "--restart", options->restart,
+            "auto: finished shots of the folder are read, an interrupted one goes on from its checkpoint")
+        ->excludes(overwrite);
+    add_limit_options(*command, *options);
+    add_scatter_options(*command, *options);
+    command->add_option("--ranks-per-shot", options->ranks_per_shot,
+                        "Shots run side by side on groups of so many ranks (default: all ranks on one shot)");
+    add_checkpoint_option(*command, "--checkpoint-every", read_checkpoint_interval, options->checkpoints,
+                          "Of each shot, as of run");
+    add_checkpoint_option(*command, "--walltime", read_walltime, options->checkpoints,
+                          "Write checkpoints and leave before this wall time is over");
+    command->add_flag("--no-picture", options->no_picture, "Do not have weavefront-plot draw pictures");
+}
+
 void add_partition(CLI::App& app) {
     auto* command =
         app.add_subcommand("partition", "Quality of decompositions and the time of a step that they lead to");
@@ -198,8 +263,8 @@ void execute(const std::vector<std::string>& arguments) {
         "Exit status: 0 done, 1 stopped by the physics or numerics guard, 2 bad input or usage, 3 system "
         "error, 4 stopped on request.");
     app.require_subcommand(1);
-    for (const auto add :
-         {add_run, add_check, add_cell, add_yarn, add_fabrics, add_projectiles, add_study, add_partition})
+    for (const auto add : {add_run, add_check, add_cell, add_yarn, add_fabrics, add_projectiles, add_study,
+                           add_v50, add_partition})
         add(app);
     refuse_unknown_words(app, arguments);
     try {

@@ -2,6 +2,7 @@
 /// @file
 /// The subcommands and their options. Each function throws on failure.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -67,6 +68,21 @@ struct StudyOptions {
 
 /// Computes variants of a scene and their errors. @note Collective
 void study(StudyOptions options);
+
+struct V50Options {
+    std::filesystem::path scene, output, shots;  ///< output empty: runs/<scene name>_v50; shots empty: none
+    std::vector<std::string> overrides, scatter;
+    std::string from, to, width, sigma, complete, mesh, stiffness;  ///< as written; empty: the default
+    std::optional<double> confidence;                               ///< of the intervals
+    std::optional<int> ranks_per_shot, count;
+    std::uint64_t seed = 1;
+    CheckpointPlan checkpoints;
+    std::string restart;  ///< auto; empty: from the start
+    bool overwrite = false, no_picture = false;
+};
+
+/// Finds the ballistic limit of a scene, or its V50 where shots scatter. @note Collective
+void v50(V50Options options);
 
 struct PartitionOptions {
     std::filesystem::path scene, machine, out, calibrate;

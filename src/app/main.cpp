@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     // MPI takes a part of a second to start: a signal is not lost meanwhile.
     const bool takes_long =
-        !arguments.empty() && (arguments.front() == "run" || arguments.front() == "study");
+        !arguments.empty() &&
+        (arguments.front() == "run" || arguments.front() == "study" || arguments.front() == "v50");
     if (takes_long) app::note_signals();
     int status = 0;
     const auto outcome = app::outcome_of([&] {

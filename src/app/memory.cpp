@@ -50,11 +50,11 @@ std::string bytes_text(double bytes) {
     return bytes < 1e9 ? fmt::format("{:.1f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
 }
 
-void require_memory(const mesh::Panel& panel, const parallel::Communicator& comm) {
+void require_memory(const mesh::Panel& panel, const parallel::Communicator& comm, int models) {
     const int ranks = ranks_here(comm);
-    const double of_ranks =
-                     std::max(memory_needed(panel) / comm.size() * ranks,
-                              comm.size() > 1 ? of_partition * static_cast<double>(panel.columns()) : 0),
+    const double of_ranks = std::max(
+                     memory_needed(panel) * models / comm.size() * ranks,
+                     comm.size() > 1 ? of_partition * models * static_cast<double>(panel.columns()) : 0),
                  here = memory_here();
     const auto lack = parallel::first_failure(
         comm,

@@ -19,9 +19,10 @@ double memory_here();
 /// In MB, or in GB from 1 GB on.
 std::string bytes_text(double bytes);
 
+/// @param models so many are computed side by side by groups of the ranks
 /// @throws std::runtime_error on all ranks when the ranks of one machine together need more than it has to
 /// give
 /// @note Collective
-void require_memory(const mesh::Panel& panel, const parallel::Communicator& comm);
+void require_memory(const mesh::Panel& panel, const parallel::Communicator& comm, int models = 1);
 
 }  // namespace weavefront::app

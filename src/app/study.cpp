@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "launcher.hpp"
 #include "outcome.hpp"
+#include "picture.hpp"
 #include "run_head.hpp"
 #include "shared_text.hpp"
 #include "study/measure.hpp"
@@ -15,7 +16,6 @@
 #include "study/study_check.hpp"
 #include "study/study_entries.hpp"
 #include "study/study_files.hpp"
-#include "study/study_picture.hpp"
 #include "study/study_report.hpp"
 #include "study/study_run.hpp"
 #include "study/vocabulary.hpp"
@@ -74,7 +74,7 @@ void study(StudyOptions options) {
                          (whole.stem() == "study" ? whole.parent_path().filename() : whole.stem());
     }
     if (compute(options) && !options.no_picture)
-        run_at_end([folder = options.output] { draw_study(folder); });
+        run_at_end([folder = options.output] { draw_pictures("--study", folder); });
 }
 
 }  // namespace weavefront::app

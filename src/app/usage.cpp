@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -15,15 +14,9 @@
 namespace weavefront::app {
 namespace {
 
-constexpr std::array<std::string_view, 1> later_subcommands{"v50"};
-
 void refuse_unless_known(std::string_view kind, const std::string& word,
-                         const std::vector<std::string>& known,
-                         std::span<const std::string_view> later = {}) {
+                         const std::vector<std::string>& known) {
     if (std::ranges::find(known, word) != known.end()) return;
-    if (std::ranges::find(later, word) != later.end()) {
-        throw scene::InputError({fmt::format("{} '{}': not available in this version", kind, word)});
-    }
     const std::string hint = scene::nearest(word, known);
     const std::string question = hint.empty() ? "" : fmt::format(", did you mean '{}'?", hint);
     throw scene::InputError(
@@ -40,7 +33,7 @@ void refuse_unknown(const KnownOptions& known, const std::vector<std::string>& s
         if (argument.starts_with("--")) {
             refuse_unless_known("option", argument.substr(0, argument.find('=')), known.at(scope));
         } else if (scope.empty() && !argument.starts_with('-')) {
-            refuse_unless_known("subcommand", argument, subcommands, later_subcommands);
+            refuse_unless_known("subcommand", argument, subcommands);
             scope = argument;
         }
     }

@@ -12,8 +12,7 @@ namespace weavefront::app {
 /// Long options of each subcommand, `--output`; those of the program itself stand under an empty name.
 using KnownOptions = std::map<std::string, std::vector<std::string>>;
 
-/// Refuses a subcommand or a long option that does not exist, naming the nearest one, or the version that
-/// lacks it.
+/// Refuses a subcommand or a long option that does not exist, naming the nearest one.
 /// @param subcommands in the order in which they are listed
 /// @param arguments   of the command line, without the name of the program
 /// @throws scene::InputError

@@ -23,7 +23,7 @@ namespace {
 // In the order in which they go: who finds a summary finds the other files of its run.
 constexpr std::array of_run{"summary.json",           "history.csv", "results.vtkhdf", "checkpoint.h5",
                             "checkpoint.previous.h5", "run.log"};
-constexpr std::array of_study{"study.csv", "study.json", "run.log"};
+constexpr std::array of_study{"study.csv", "study.json", "v50.csv", "v50.json", "run.log"};
 
 std::string reason_of(int cause) { return std::generic_category().message(cause); }
 

@@ -17,15 +17,15 @@ CASES = [
         ["rnu", "a.yaml"],
         2,
         [
-            "subcommand 'rnu': unknown, allowed run, check, cell, yarn, fabrics, study, partition, did you mean 'run'?"
+            "subcommand 'rnu': unknown, allowed run, check, cell, yarn, fabrics, study, v50, partition, did you mean 'run'?"
         ],
     ),
     (
         ["explode"],
         2,
-        ["subcommand 'explode': unknown, allowed run, check, cell, yarn, fabrics, study, partition"],
+        ["subcommand 'explode': unknown, allowed run, check, cell, yarn, fabrics, study, v50, partition"],
     ),
-    (["v50", "a.yaml"], 2, ["subcommand 'v50': not available in this version"]),
+    (["v50", "no_such_file.yaml"], 2, ["no_such_file.yaml: cannot be read: No such file or directory"]),
     (["study"], 2, [""]),
     (["study", "no_such_file.yaml"], 2, ["no_such_file.yaml: cannot be read: No such file or directory"]),
     (["partition", "a.yaml"], 2, ["partition: allowed is one of --ranks LIST and --calibrate FILE"]),

@@ -49,7 +49,7 @@ class Usage(OnRun):
             ("RUN", "--window", "1cm", "--only", "history"),
         ),
         ("not both", ("RUN", "--yarn", "curves.csv")),
-        ("give one of RUN, --yarn and --study", ("RUN", "--study", "DIR")),
+        ("give one of RUN, --yarn, --study and --v50", ("RUN", "--study", "DIR")),
         ("--field does not go with --yarn", ("--yarn", "curves.csv", "--field", "height")),
         ("--no-debris does not go with --study", ("--study", "DIR", "--no-debris")),
         ("--output: 'y.jpg' must end in one of .png", ("--yarn", "curves.csv", "--output", "y.jpg")),

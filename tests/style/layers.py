@@ -15,6 +15,7 @@ LIBRARIES = {  # header, or folder of headers: target
     "udunits2.h": "udunits2",
     "CLI": "CLI11::CLI11",
     "Eigen": "Eigen3::Eigen",
+    "boost": "Boost::headers",
     "fmt": "fmt::fmt",
     "nlohmann": "nlohmann_json::nlohmann_json",
     "openssl": "OpenSSL::Crypto",

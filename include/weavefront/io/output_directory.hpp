@@ -18,10 +18,10 @@ enum class Earlier {
     refused,    ///< of a run: there must be none
     replaced,   ///< of a run: they stay until `clear`
     continued,  ///< of a run, which goes on with them; there must be some
-    kept,       ///< of a study, which goes on from them; those of a run are refused
+    kept,       ///< of a study or of `v50`, which goes on from them; those of a run are refused
 };
 
-/// Keeps a directory to one run, or one study, for as long as it lives.
+/// Keeps a directory to one run, one study or one `v50`, for as long as it lives.
 class OutputDirectory {
   public:
     /// Creates the directory with its parents where it does not exist yet and makes sure that it can be

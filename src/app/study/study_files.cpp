@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "csv_cell.hpp"
 #include "versions.hpp"
 #include "weavefront/io/replace_file.hpp"
 #include "weavefront/study/convergence.hpp"
@@ -20,17 +21,10 @@ Json json_of(const std::optional<double>& value) { return value ? Json(*value) :
 
 std::string cell(const std::optional<double>& value) { return value ? fmt::format("{:.10g}", *value) : ""; }
 
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n") == text.npos) return text;
-    std::string doubled;
-    for (const char c : text) doubled.append(c == '"' ? 2 : 1, c);
-    return fmt::format("\"{}\"", doubled);
-}
-
 std::string csv_of(const scene::Study& study, std::span<const StudyEntry> entries,
                    std::span<const StudyRow> rows) {
     std::string text = "variant";
-    for (const scene::Axis& axis : study.axes) text += fmt::format(",{}", quoted(axis.name));
+    for (const scene::Axis& axis : study.axes) text += fmt::format(",{}", quoted_cell(axis.name));
     text += ",outcome";
     for (const scene::Measure& measure : study.quantities) {
         if (measure.kind == scene::Measure::Kind::outcome) text += fmt::format(",{}", measure.name);
@@ -38,8 +32,9 @@ std::string csv_of(const scene::Study& study, std::span<const StudyEntry> entrie
     }
     text += ",wall_seconds,element_steps,ranks\n";
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        text += quoted(entries[i].variant.name);
-        for (const std::string& label : entries[i].variant.labels) text += fmt::format(",{}", quoted(label));
+        text += quoted_cell(entries[i].variant.name);
+        for (const std::string& label : entries[i].variant.labels)
+            text += fmt::format(",{}", quoted_cell(label));
         text += fmt::format(",{}", rows[i].outcome);
         for (std::size_t q = 0; q < study.quantities.size(); ++q) {
             if (study.quantities[q].kind == scene::Measure::Kind::outcome)

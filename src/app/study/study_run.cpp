@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "rank_groups.hpp"
 #include "signals.hpp"
 #include "stop.hpp"
 #include "variant_run.hpp"
@@ -25,15 +26,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// The ranks of one colour. @note Collective
-parallel::Communicator split(const parallel::Communicator& comm, int colour) {
-    MPI_Comm part = MPI_COMM_NULL;
-    parallel::check(MPI_Comm_split(comm.get(), colour, comm.rank(), &part));
-    parallel::Communicator owned(part);
-    MPI_Comm_free(&part);
-    return owned;
 }
 
 class StudyRun {

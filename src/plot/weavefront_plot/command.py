@@ -36,7 +36,7 @@ def parser():
     options = Parser(
         prog="weavefront-plot",
         allow_abbrev=False,
-        description="Draws pictures from the folder of a run or a study, or yarn curves.",
+        description="Draws pictures from the folder of a run, a study or a v50, or yarn curves.",
         epilog="Exit status: 0 done, 2 bad input or usage, 3 a file cannot be read or written.",
     )
     options.add_argument(
@@ -48,7 +48,7 @@ def parser():
     options.add_argument(
         "--output",
         metavar="PATH",
-        help="folder for the pictures (default: RUN/plots); with --yarn or --study the picture's file",
+        help="folder for the pictures (default: plots in RUN or in the folder of --v50); with --yarn or --study the picture's file",
     )
     options.add_argument(
         "--only", metavar="LIST", help=f"which pictures, from {','.join(PICTURES)} (default: all)"
@@ -113,6 +113,12 @@ def parser():
         metavar="DIR",
         help="draw error against cost from the folder of 'weavefront study' instead of a run, into DIR/study.png",
     )
+    options.add_argument(
+        "--v50",
+        metavar="DIR",
+        help="draw S-curve, residual velocity and absorbed energy from the folder of 'weavefront v50' "
+        "instead of a run, into DIR/plots",
+    )
     return options
 
 
@@ -132,10 +138,12 @@ def parse(arguments):
     ):
         if getattr(options, name) is not None:
             setattr(options, name, reader(getattr(options, name)))
-    for name in ("run", "output", "measured", "yarn", "study"):
+    for name in ("run", "output", "measured", "yarn", "study", "v50"):
         if getattr(options, name) is not None:
             setattr(options, name, Path(getattr(options, name)))
-    if options.run is None:
+    if options.v50 is not None:
+        options.format = options.format or FORMATS[0]
+    elif options.run is None:
         check_file_name(options)
     else:
         check_use(options)
@@ -154,14 +162,16 @@ def joined_view(arguments):
 
 
 def check_mode(options):
-    """One of a run, yarn curves and a study, with options of its own only."""
-    modes = [name for name in ("run", "yarn", "study") if getattr(options, name) is not None]
+    """One of a run, yarn curves, a study and a v50, with options of its own only."""
+    modes = [name for name in ("run", "yarn", "study", "v50") if getattr(options, name) is not None]
     if not modes:
-        raise InputError("give the folder of a run, --yarn CSV or --study DIR; see weavefront-plot --help")
+        raise InputError(
+            "give the folder of a run, --yarn CSV, --study DIR or --v50 DIR; see weavefront-plot --help"
+        )
     if modes == ["run", "yarn"]:
         raise InputError("give either RUN or --yarn, not both")
     if len(modes) > 1:
-        raise InputError("give one of RUN, --yarn and --study")
+        raise InputError("give one of RUN, --yarn, --study and --v50")
     if modes != ["run"]:
         given = [name for name in ("only", *USED_BY) if getattr(options, name) is not None]
         if given:
@@ -235,7 +245,7 @@ def main():
 
 def subject(options):
     """What is drawn."""
-    return options and (options.run or options.yarn or options.study)
+    return options and (options.run or options.yarn or options.study or options.v50)
 
 
 def report(what, status):

@@ -11,16 +11,21 @@ from .picture_file import check_place
 from .run import Run
 from .section import draw_section
 from .study import draw_study
+from .v50 import draw_v50
 from .yarn import draw_yarn
 
 OF_FRAMES = {"deformed", "section", "contour"}
 
 
 def draw(options):
-    """All pictures of a run, or the one of yarn curves or of a study."""
+    """All pictures of a run, or those of yarn curves, a study or a v50."""
     style.apply()
     if options.run is not None:
         draw_run(options)
+        return
+    if options.v50 is not None:
+        folder = options.output or options.v50 / "plots"
+        draw_v50(options.v50, lambda name: folder / f"{name}.{options.format}", lambda: make_folder(folder))
         return
     check_place(options.output)
     make_folder(options.output.parent)

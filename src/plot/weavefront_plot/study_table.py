@@ -1,12 +1,7 @@
 """study.json as checked values: a field that is missing or of another kind is named with its place."""
-import json
 from dataclasses import dataclass
 
-from .failure import InputError
-from .option_values import short
-from .tables import LARGEST, read_text
-
-KINDS = {str: "text", bool: "true or false", float: "a number", list: "a list", dict: "a map"}
+from .json_document import read_document
 
 
 @dataclass(frozen=True)
@@ -60,60 +55,10 @@ class Study:
     variants: list
 
 
-class Node:
-    """A part of the document and its place in it."""
-
-    def __init__(self, path, place, value):
-        self.path, self.place, self.value = path, place, value
-
-    def wrong(self, allowed):
-        """The error that something else was expected here."""
-        return InputError(
-            f"{self.path}: {self.place or 'document'}: found {short(json.dumps(self.value))}, allowed {allowed}"
-        )
-
-    def as_a(self, kind):
-        """The value, which must be of the kind; a number must be finite."""
-        value = self.value
-        if kind is float and isinstance(value, int) and not isinstance(value, bool) and abs(value) <= LARGEST:
-            value = float(value)
-        if not isinstance(value, kind) or (kind is float and not abs(value) <= LARGEST):
-            raise self.wrong(KINDS[kind])
-        return value
-
-    def optional(self, kind):
-        """The value, or None for null."""
-        return None if self.value is None else self.as_a(kind)
-
-    def __getitem__(self, key):
-        if key not in self.as_a(dict):
-            raise InputError(f"{self.path}: {self.place or 'document'}: no '{key}'")
-        return Node(self.path, f"{self.place}.{key}" if self.place else key, self.value[key])
-
-    def each(self):
-        """The items of a list."""
-        return [Node(self.path, f"{self.place}[{i}]", value) for i, value in enumerate(self.as_a(list))]
-
-    def all_as(self, kind):
-        """The items of a list, all of one kind."""
-        return [item.as_a(kind) for item in self.each()]
-
-    def numbers(self):
-        """A map of numbers or null."""
-        return {key: self[key].optional(float) for key in self.as_a(dict)}
-
-
 def read_study(folder):
     """study.json of the folder."""
     path = folder / "study.json"
-    text = read_text(path)
-    try:
-        document = json.loads(text)
-    except json.JSONDecodeError as error:
-        raise InputError(f"{path}:{error.lineno}:{error.colno}: not JSON: {error.msg}") from None
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{path}: not JSON of a study: {error}") from None
-    root = Node(path, "", document)
+    root = read_document(path, "study")
     variants = [variant_of(node) for node in root["variants"].each()]
     names = {variant.name for variant in variants}
     if not variants:

@@ -1,10 +1,9 @@
-#include "study_picture.hpp"
+#include "picture.hpp"
 
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 
-#include <string>
 #include <system_error>
 
 extern char** environ;
@@ -26,10 +25,10 @@ std::filesystem::path plot_program() {
 
 }  // namespace
 
-void draw_study(const std::filesystem::path& folder) {
+void draw_pictures(const std::string& option, const std::filesystem::path& folder) {
     const std::filesystem::path program = plot_program();
-    std::string name = program.string(), option = "--study", argument = folder.string();
-    char* arguments[] = {name.data(), option.data(), argument.data(), nullptr};
+    std::string name = program.string(), option_word = option, argument = folder.string();
+    char* arguments[] = {name.data(), option_word.data(), argument.data(), nullptr};
     pid_t child = 0;
     int status = -1;
     std::fflush(stdout);
@@ -37,7 +36,7 @@ void draw_study(const std::filesystem::path& folder) {
         !program.empty() && posix_spawn(&child, name.c_str(), nullptr, nullptr, arguments, environ) == 0;
     if (ran) waitpid(child, &status, 0);
     if (status != 0)
-        fmt::print("No picture was drawn; draw it with: weavefront-plot --study {}\n", folder.string());
+        fmt::print("No picture was drawn; draw it with: weavefront-plot {} {}\n", option, folder.string());
 }
 
 }  // namespace weavefront::app

@@ -1,13 +1,25 @@
 #include "weavefront/contact/projectile_on_frame.hpp"
 
+#include <array>
 #include <numbers>
+
+#include "weavefront/body/shape.hpp"
 
 namespace weavefront::contact {
 
 namespace {
 
-/// A sphere is a rim about its centre.
-double rim_radius(const scene::Projectile& projectile) {
+/// Points of a projectile without a rim of its own that stays across z. A sphere is a rim about its centre.
+std::vector<Vec3> outline_of(const scene::Projectile& projectile) {
+    const bool is_along_z = !projectile.turns && projectile.attitude == std::array<double, 4>{1, 0, 0, 0};
+    if (projectile.shape == scene::Shape::sphere ||
+        (projectile.shape == scene::Shape::cylinder && is_along_z))
+        return {};
+    return body::make_shape(projectile)->outline().points;
+}
+
+double rim_radius(const scene::Projectile& projectile, bool has_outline) {
+    if (has_outline) return 0;
     return projectile.shape == scene::Shape::sphere ? projectile.diameter / 2 : projectile.edge_radius;
 }
 
@@ -19,30 +31,46 @@ double cross_section(const scene::Projectile& projectile) {
 
 ProjectileOnFrame::ProjectileOnFrame(const scene::Projectile& projectile, const scene::Frame& frame,
                                      const scene::ContactLaw& law, double top)
-    : shape_(frame, top, rim_radius(projectile)),
+    : outline_(outline_of(projectile)),
+      shape_(frame, top, rim_radius(projectile, !outline_.empty())),
       area_(cross_section(projectile)),
-      inset_(rim_radius(projectile)),
+      inset_(rim_radius(projectile, !outline_.empty())),
       reach_(projectile.diameter / 2 - inset_),
       law_(law, projectile.mass / area_),
       bars_{Bar{0, 1, {}}, Bar{0, -1, {}}, Bar{1, 1, {}}, Bar{1, -1, {}}} {}
+
+std::optional<ProjectileOnFrame::Touch> ProjectileOnFrame::deepest_in(
+    const Bar& bar, const body::RigidBody& projectile) const {
+    std::optional<Touch> deepest;
+    const auto look = [&](const Vec3& point) {
+        const auto found = shape_.depth_in_bar(point, bar.axis, bar.outward);
+        if (found && (!deepest || found->depth > deepest->depth.depth)) deepest = Touch{point, *found};
+    };
+    if (outline_.empty()) {
+        Vec3 point = projectile.to_space({0, 0, -inset_});
+        point[bar.axis] += bar.outward * reach_;
+        look(point);
+    }
+    for (const auto& point : outline_) look(projectile.to_space(point));
+    return deepest;
+}
 
 body::Wrench ProjectileOnFrame::evaluate(const body::RigidBody& projectile, double dt) {
     const auto velocities = projectile.motion();
     body::Wrench wrench;
     for (auto& bar : bars_) {
-        Vec3 point = projectile.position() - Vec3(0, 0, inset_);
-        point[bar.axis] += bar.outward * reach_;
-        const auto found = shape_.depth_in_bar(point, bar.axis, bar.outward);
-        if (!found) {
+        const auto touch = deepest_in(bar, projectile);
+        if (!touch) {
             bar.penetration = {};
             continue;
         }
+        const auto& [point, found] = *touch;
         const Vec3 velocity = velocities.at(point);
-        const double closing = -velocity.dot(found->normal);
+        const double closing = -velocity.dot(found.normal);
         const RelativeMotion motion{closing, closing, velocity.norm()};
-        const auto response = law_.advance(bar.penetration, found->depth, motion, dt, 1,
+        const auto response = law_.advance(bar.penetration, found.depth, motion, dt, 1,
                                            {.dissipated_budget = 0, .sliding_share = 1});
-        const Vec3 force = response.pressure * area_ * found->normal;
+        const Vec3 force = response.pressure * area_ * found.normal;
         wrench.force += force;
         wrench.moment += (point - velocities.centre).cross(force);
     }

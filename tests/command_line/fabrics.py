@@ -1,4 +1,4 @@
-"""The library of fabrics is listed with its sources, and a scene may take a fabric from it: fabrics.py WEAVEFRONT MPIEXEC"""
+"""The libraries of fabrics and projectiles name their sources, and scenes take from them: fabrics.py WEAVEFRONT"""
 
 import subprocess
 import sys
@@ -24,14 +24,41 @@ def call(program, *arguments, status=0):
     return done.stdout if status == 0 else done.stderr
 
 
-def main():
-    program = sys.argv[1]
-    listed = call(program, "fabrics")
-    names = [
+def names_in(listed):
+    return [
         line.split(":")[0]
         for line in listed.splitlines()
         if line and line[0] != " " and not line.startswith("In a scene")
     ]
+
+
+def check_projectiles(program):
+    listed = call(program, "projectiles")
+    names = names_in(listed)
+    assert "fsp_22" in names and len(names) >= 12, names
+    one = call(program, "projectiles", "fsp_22")
+    assert (
+        one in listed and "  diameter                 0.215 in           [1], quoted from memory" in one
+    ), one
+    error = call(program, "projectiles", "fsp_2", status=2)
+    assert "projectile 'fsp_2': unknown, allowed fsp_22, " in error, error
+    with tempfile.TemporaryDirectory() as folder:
+        scene = Path(folder) / "scene.yaml"
+        for name in names:
+            shot = f"projectile: {{standard: {name}, velocity"
+            before = "projectile: {shape: sphere, diameter: 5.556 mm, mass: 0.7 g, velocity"
+            text = SCENE.replace("NAME", "kevlar_km2_s706").replace(before, shot)
+            assert shot in text
+            scene.write_text(text.replace("center: 1 mm", "center: 0.5 mm"))
+            checked = call(program, "check", str(scene))
+            assert "warning: " not in checked, (name, checked)
+
+
+def main():
+    program = sys.argv[1]
+    check_projectiles(program)
+    listed = call(program, "fabrics")
+    names = names_in(listed)
     assert "kevlar_km2_s706" in names and len(names) >= 6, names
     one = call(program, "fabrics", "kevlar_km2_s706")
     assert (

@@ -62,5 +62,24 @@ TEST(ProjectileOnFrame, OfAPlateWiderThanTheOpeningRestsOnBothBars) {
     EXPECT_NEAR(state.velocity.x(), 0, 1e-9);
 }
 
+TEST(ProjectileOnFrame, ANoseIsStoppedWhereItsOutlineIs) {
+    auto round = cylinder;
+    round.shape = scene::Shape::hemisphere;
+    const auto state = fly(round, {16e-3, 1e-3, 1e-3}, {0, 0, 100}, 1);
+    EXPECT_NEAR(-state.velocity.z() / 100, 1, 0.02);
+
+    // The nose of a cone passes beside the bar that its base, 1 mm over the opening's edge, meets.
+    auto pointed = cylinder;
+    pointed.shape = scene::Shape::cone;
+    pointed.nose_length = 9e-3;
+    contact::ProjectileOnFrame bars(pointed, bars_across_x, {.stiffness = k, .unloading = 1, .damping = 0},
+                                    top);
+    const Vec3 velocity(0, 0, 100);
+    EXPECT_EQ(bars.evaluate(Translating{Vec3(8e-3, 0, top + 3e-3), velocity}, 1e-8).force, Vec3(0, 0, 0));
+    const Vec3 force = bars.evaluate(Translating{Vec3(8e-3, 0, top + 9.3e-3), velocity}, 1e-8).force;
+    EXPECT_LT(force.z(), 0);
+    EXPECT_LT(force.x(), 0);
+}
+
 }  // namespace
 }  // namespace weavefront::test

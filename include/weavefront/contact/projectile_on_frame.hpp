@@ -3,9 +3,12 @@
 /// Contact between the projectile and the frame, two rigid bodies.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "weavefront/body/depth.hpp"
 #include "weavefront/body/rigid_body.hpp"
 #include "weavefront/contact/frame.hpp"
 #include "weavefront/contact/penalty.hpp"
@@ -14,8 +17,10 @@
 
 namespace weavefront::contact {
 
-/// Each bar of the frame presses along its normal on the projectile's foremost point. The pressure of the
-/// projectile's contact law acts on the cross-section of the projectile. Every rank computes the same force.
+/// Each bar of the frame presses along its normal on the point of the projectile that is deepest in it. Of a
+/// sphere, and of a cylinder along z, this point is known; of any other projectile it is one of its outline.
+/// The pressure of the projectile's contact law acts on the cross-section of the projectile. Every rank
+/// computes the same force.
 class ProjectileOnFrame {
   public:
     /// @param top height of the surface on which the last ply rests, m
@@ -45,8 +50,17 @@ class ProjectileOnFrame {
         double outward;  ///< 1 or -1: the side of the opening on which the bar stands
         Penetration penetration;
     };
-    FrameShape shape_;  ///< inflated by the edge radius of the projectile
-    double area_;       ///< m2
+    /// A point of the projectile in a bar.
+    struct Touch {
+        Vec3 point;  ///< m
+        body::Depth depth;
+    };
+    /// The deepest point of the projectile in a bar; none outside.
+    [[nodiscard]] std::optional<Touch> deepest_in(const Bar& bar, const body::RigidBody& projectile) const;
+
+    std::vector<Vec3> outline_;  ///< in body axes, m; empty: the rim of the foremost face, or a centre
+    FrameShape shape_;           ///< inflated by the edge radius of a rim
+    double area_;                ///< m2
     double
         inset_;  ///< distance of the edge's centre line from the side and from the nose of the projectile, m
     double reach_;  ///< distance of the edge's centre line from the axis, m

@@ -152,9 +152,8 @@ void RunReport::start(const solver::Simulation& simulation) {
                               fabric.areal_density * 1e3, fabric.effective_thickness() * 1e3));
     if (scene_.projectile)
         log_.info(fmt::format("  projectile    {} of {:.4g} g, {:.4g} mm across, {:.6g} m/s",
-                              scene::shape_name(scene_.projectile->shape),
-                              scene_.projectile->mass * 1e3, scene_.projectile->diameter * 1e3,
-                              model.projectile->velocity().norm()));
+                              scene::shape_name(scene_.projectile->shape), scene_.projectile->mass * 1e3,
+                              scene_.projectile->diameter * 1e3, model.projectile->velocity().norm()));
     log_.info(fmt::format("  ranks         {}, {:.1f} MB in all for mesh and fabric", comm_.size(),
                           static_cast<double>(bytes[0]) / 1e6));
     log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us",

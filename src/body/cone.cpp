@@ -3,6 +3,7 @@
 
 #include "revolved_profile.hpp"
 #include "shapes.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 
 namespace weavefront::body {
 
@@ -13,7 +14,7 @@ ShapePointer make_cone(const scene::Projectile& projectile) {
     double base = -projectile.nose_length;
     MeridianPoint from{0, 0};
     if (tip > 0) {
-        const double cut = tip * (1 / std::sin(half) - 1);  // of the sharp tip
+        const double cut = tip * (1 / scene::sine(half) - 1);  // of the sharp tip
         base += cut;
         meridian.push_back(arc({0, -tip}, tip, 0, std::numbers::pi / 2 - half));
         from = meridian.back().to;

@@ -4,6 +4,7 @@
 
 #include "shapes.hpp"
 #include "triangulated_surface.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 
 namespace weavefront::body {
 
@@ -34,16 +35,16 @@ void add_polygon(TriangleMesh& mesh, const std::vector<std::int32_t>& points) {
 
 ShapePointer make_fsp(const scene::Projectile& projectile) {
     const double radius = projectile.diameter / 2, half = projectile.flat_width / 2,
-                 slope = std::tan(projectile.flat_angle);
+                 slope = scene::tangent(projectile.flat_angle);
     TriangleMesh mesh;
     std::vector<std::array<double, 2>> rim;  // counter-clockwise
-    const auto angles = quarter(std::acos(half / radius));
+    const auto angles = quarter(scene::arc_cosine(half / radius));
     const auto count = angles.size() - 1;
     for (std::size_t i = 0; i < 4 * count; ++i) {
         const auto in_quarter = i % count;
         const bool mirrored = (i / count) % 2 == 1;
-        const double angle = angles[mirrored ? count - in_quarter : in_quarter], c = radius * std::cos(angle),
-                     s = radius * std::sin(angle);
+        const double angle = angles[mirrored ? count - in_quarter : in_quarter],
+                     c = radius * scene::cosine(angle), s = radius * scene::sine(angle);
         rim.push_back({i / count == 1 || i / count == 2 ? -c : c, i / count >= 2 ? -s : s});
     }
     const auto all = static_cast<std::int32_t>(rim.size());

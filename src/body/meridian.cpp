@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "weavefront/scene/trigonometry.hpp"
+
 namespace weavefront::body {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 MeridianPoint point_of(const Arc& arc, double angle) {
-    return {arc.centre.r + arc.radius * std::sin(angle), arc.centre.z + arc.radius * std::cos(angle)};
+    return {arc.centre.r + arc.radius * scene::sine(angle), arc.centre.z + arc.radius * scene::cosine(angle)};
 }
 
 /// Nodes and weights of Gauss and Legendre on [-1, 1], exact to degree 15: lines need degree 4 and arcs of a
@@ -44,7 +46,7 @@ void add_segment(const Segment& segment, Moments& moments) {
                 if (segment.arc) {
                     const auto& arc = *segment.arc;
                     const double turn = arc.to - arc.from, angle = arc.from + at * turn;
-                    moments.add(point_of(arc, angle), -arc.radius * std::sin(angle) * turn * share);
+                    moments.add(point_of(arc, angle), -arc.radius * scene::sine(angle) * turn * share);
                 } else {
                     const double dr = segment.to.r - segment.from.r, dz = segment.to.z - segment.from.z;
                     moments.add({segment.from.r + at * dr, segment.from.z + at * dz}, dz * share);
@@ -98,7 +100,8 @@ Outline revolve(const Meridian& meridian, const Resolution& resolution) {
     for (const auto& point : points)
         for (int i = 0; i < around; ++i) {
             const double angle = 2 * pi * i / around;
-            outline.points.emplace_back(point.r * std::cos(angle), point.r * std::sin(angle), point.z);
+            outline.points.emplace_back(point.r * scene::cosine(angle), point.r * scene::sine(angle),
+                                        point.z);
         }
     for (std::size_t ring = 0; ring + 1 < points.size(); ++ring)
         for (std::int64_t i = 0; i < around; ++i) {

@@ -4,6 +4,7 @@
 
 #include "revolved_profile.hpp"
 #include "shapes.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 
 namespace weavefront::body {
 
@@ -14,7 +15,7 @@ ShapePointer make_ogive(const scene::Projectile& projectile) {
     const double apart = large - tip, height = std::sqrt(std::max(apart * apart - inset * inset, 0.0));
     constexpr double rounding = 1e-6;
     const bool is_all_sphere = height <= rounding * radius;
-    const double contact = is_all_sphere ? std::numbers::pi / 2 : std::atan2(inset, height);
+    const double contact = is_all_sphere ? std::numbers::pi / 2 : scene::arc_tangent(inset, height);
     Meridian meridian;
     if (tip > 0) meridian.push_back(arc({0, -tip}, tip, 0, contact));
     if (!is_all_sphere)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shadow.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 
 namespace weavefront::body {
 
@@ -23,7 +24,7 @@ Vector2d direction(const Segment& segment, bool at_end) {
     if (!segment.arc) return (vector(segment.to) - vector(segment.from)).normalized();
     const double angle = at_end ? segment.arc->to : segment.arc->from,
                  sign = segment.arc->to > segment.arc->from ? 1 : -1;
-    return {sign * std::cos(angle), -sign * std::sin(angle)};
+    return {sign * scene::cosine(angle), -sign * scene::sine(angle)};
 }
 
 /// Outward normal of a direction along the meridian.
@@ -53,6 +54,13 @@ double extreme(const Segment& segment, int axis, double sign) {
 
 }  // namespace
 
+RevolvedProfile::Sector RevolvedProfile::sector_of(const Segment& segment) {
+    if (!segment.arc) return {};
+    const double middle = (segment.arc->from + segment.arc->to) / 2,
+                 half = std::abs(segment.arc->to - segment.arc->from) / 2;
+    return {{scene::sine(middle), scene::cosine(middle)}, scene::cosine(half)};
+}
+
 RevolvedProfile::RevolvedProfile(Meridian meridian) : meridian_(std::move(meridian)) {
     radius_ = front_ = 0, rear_ = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < meridian_.size(); ++i) {
@@ -61,6 +69,7 @@ RevolvedProfile::RevolvedProfile(Meridian meridian) : meridian_(std::move(meridi
         // Across the axis the meridian goes on as its mirror image.
         const Vector2d in = i == 0 ? Vector2d(out.x(), -out.y()) : direction(meridian_[i - 1], true);
         joints_.push_back({vector(segment.from), in, out, in.y() * out.x() - in.x() * out.y()});
+        sectors_.push_back(sector_of(segment));
         radius_ = std::max(radius_, extreme(segment, 0, 1));
         front_ = std::max(front_, extreme(segment, 1, 1));
         rear_ = std::min(rear_, extreme(segment, 1, -1));
@@ -84,18 +93,19 @@ RevolvedProfile::Seen RevolvedProfile::seen(std::size_t segment, const Point& po
         const Vector2d along = way / length, normal = outward(along);
         const double at = (point - vector(from)).dot(along);
         return {(point - vector(from)).dot(normal), normal,
-                smaller_radius(std::numeric_limits<double>::infinity(), point.x(), normal), -at, at - length};
+                smaller_radius(std::numeric_limits<double>::infinity(), point.x(), normal), at<0, at> length};
     }
     const Vector2d from_centre = point - vector(arc->centre);
-    const double distance = from_centre.norm(), sign = arc->to > arc->from ? 1 : -1,
-                 middle = (arc->from + arc->to) / 2, half = std::abs(arc->to - arc->from) / 2;
+    const auto& [middle, cosine_of_half] = sectors_[segment];
+    const double distance = from_centre.norm(), sign = arc->to > arc->from ? 1 : -1;
     // At the centre every direction is as good.
-    const double angle = distance > 0 ? std::atan2(from_centre.x(), from_centre.y()) : middle;
-    const double turn = sign * std::remainder(angle - middle, 2 * pi);
-    const Vector2d normal = sign * Vector2d(std::sin(angle), std::cos(angle));
+    const Vector2d direction = distance > 0 ? Vector2d(from_centre / distance) : middle;
+    const bool within = direction.dot(middle) >= cosine_of_half,
+               in_second_half = sign * (direction.x() * middle.y() - direction.y() * middle.x()) >= 0;
     const double along = sign > 0 ? arc->radius + offset : std::numeric_limits<double>::infinity();
+    const Vector2d normal = sign * direction;
     return {sign * (distance - arc->radius), normal, smaller_radius(along, point.x(), normal),
-            (-turn - half) * arc->radius, (turn - half) * arc->radius};
+            !within && !in_second_half, !within && in_second_half};
 }
 
 std::size_t RevolvedProfile::nearest(const Point& point, double& height) const {
@@ -104,7 +114,7 @@ std::size_t RevolvedProfile::nearest(const Point& point, double& height) const {
     for (std::size_t i = 0; i < meridian_.size(); ++i) {
         const auto at = seen(i, point, 0);
         double signed_distance = at.height;
-        if (at.before > 0 || at.beyond > 0) {
+        if (at.before || at.beyond) {
             const double to_start = (point - joints_[i].at).norm(),
                          to_end = (point - joints_[i + 1].at).norm();
             const auto& joint = to_start <= to_end ? joints_[i] : joints_[i + 1];
@@ -131,7 +141,7 @@ std::size_t RevolvedProfile::deeper_neighbour(std::size_t segment, double height
     const auto look = [&](std::size_t joint, std::size_t neighbour) {
         if (joints_[joint].turn >= 0) return;
         const auto other = seen(neighbour, point, offset);
-        if (other.before > 0 || other.beyond > 0 || other.height >= height) return;
+        if (other.before || other.beyond || other.height >= height) return;
         deepest = neighbour;
         height = other.height;
     };
@@ -145,8 +155,8 @@ RevolvedProfile::Found RevolvedProfile::follow(const Point& point, double offset
                                                std::size_t& segment) const {
     Seen at = seen(segment, point, offset);
     for (std::size_t steps = 0; steps <= meridian_.size(); ++steps) {
-        const bool forward = at.beyond > 0;
-        if (!forward && !(at.before > 0)) break;
+        const bool forward = at.beyond;
+        if (!forward && !at.before) break;
         const std::size_t edge = forward ? segment + 1 : segment;
         const auto& joint = joints_[edge];
         if (edge == 0 || edge == meridian_.size()) return at_edge(joint, point, offset);
@@ -154,7 +164,7 @@ RevolvedProfile::Found RevolvedProfile::follow(const Point& point, double offset
         const Seen other = seen(next, point, offset);
         constexpr double smooth = 1e-9;
         const bool is_sharp = std::abs(joint.turn) > smooth;
-        if (is_sharp && (forward ? other.before : other.beyond) > 0) return at_edge(joint, point, offset);
+        if (is_sharp && (forward ? other.before : other.beyond)) return at_edge(joint, point, offset);
         const double sign = forward ? 1 : -1;
         const Vector2d way = sign * (forward ? joint.in : joint.out),
                        next_way = sign * (forward ? joint.out : joint.in), from_edge = point - joint.at;

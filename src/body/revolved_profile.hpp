@@ -26,12 +26,17 @@ class RevolvedProfile final : public Shape {
   private:
     using Point = Eigen::Vector2d;  ///< (r, z), m
 
-    /// A point seen from a segment, m.
+    /// A point seen from a segment.
     struct Seen {
-        double height;          ///< outside of the segment's line or circle; < 0 inside the body
-        Point normal;           ///< outward
-        double radius;          ///< smaller radius of curvature of the surface; 0: flat
-        double before, beyond;  ///< > 0: the point projects beyond the start, the end
+        double height;        ///< outside of the segment's line or circle, m; < 0 inside the body
+        Point normal;         ///< outward
+        double radius;        ///< smaller radius of curvature of the surface, m; 0: flat
+        bool before, beyond;  ///< whether the point projects beyond the start, the end
+    };
+    /// The directions of an arc from its centre.
+    struct Sector {
+        Point middle{0, 1};
+        double cosine_of_half = 1;  ///< of half the angle of the arc
     };
     /// Depth in the half-plane.
     struct Found {
@@ -46,6 +51,7 @@ class RevolvedProfile final : public Shape {
         double turn;    ///< sine of the angle between them; > 0: convex
     };
 
+    static Sector sector_of(const Segment& segment);
     [[nodiscard]] Seen seen(std::size_t segment, const Point& point, double offset) const;
     /// Segment nearest to a point. @param height receives the distance to the body, m; < 0 inside
     [[nodiscard]] std::size_t nearest(const Point& point, double& height) const;
@@ -58,6 +64,7 @@ class RevolvedProfile final : public Shape {
                                                double offset) const;
 
     Meridian meridian_;
+    std::vector<Sector> sectors_;   ///< of the segments
     std::vector<Joint> joints_;     ///< joint k is the start of segment k
     double radius_, front_, rear_;  ///< m
 };

@@ -4,6 +4,7 @@
 
 #include "shapes.hpp"
 #include "triangulated_surface.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 
 namespace weavefront::body {
 
@@ -20,7 +21,7 @@ ShapePointer make_ring_segment(const scene::Projectile& projectile) {
     const int steps = 2 * std::max(static_cast<int>(std::ceil(sector / largest_step / 2)), 1);
     const auto at = [&](double radius, int step) {
         const double angle = sector * (static_cast<double>(step) / steps - 0.5);
-        return MeridianPoint{radius * std::sin(angle), radius * std::cos(angle) - outer};
+        return MeridianPoint{radius * scene::sine(angle), radius * scene::cosine(angle) - outer};
     };
     std::vector<std::vector<MeridianPoint>> parts;
     for (int i = 0; i < steps; ++i)

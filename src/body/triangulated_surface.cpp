@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shadow.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 
 namespace weavefront::body {
 
@@ -42,27 +43,39 @@ OnTriangle nearest_on(const std::array<Vec3, 3>& corners, const Vec3& point) {
     return {a + (of_b * ab + of_c * ac) / sum, Feature::inside, 0};
 }
 
-/// Search of the nearest triangle. The lowest number wins at equal distance.
+/// Search of the nearest triangle. The lowest number wins at equal distance, wherever the search begins.
 template <class Triangles>
 struct Nearest {
-    using Scalar = double;
     const Vec3& point;
     const Triangles& triangles;
     double least = std::numeric_limits<double>::infinity();
     std::int32_t triangle = -1;
     OnTriangle place{};
 
-    [[nodiscard]] double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(point); }
-    double minimumOnObject(std::int32_t number) {
+    void look_at(std::int32_t number) {
         const auto found = nearest_on(triangles[static_cast<std::size_t>(number)].corners, point);
         const double distance = (found.point - point).squaredNorm();
         if (distance < least || (distance == least && number < triangle))
             least = distance, triangle = number, place = found;
-        return distance;
+    }
+    /// The nearer of two boxes first: the other one then often needs no look.
+    template <class Tree>
+    void look_in(const Tree& tree, int node) {
+        typename Tree::VolumeIterator box = nullptr, last_box = nullptr;
+        typename Tree::ObjectIterator object = nullptr, last_object = nullptr;
+        tree.getChildren(node, box, last_box, object, last_object);
+        for (; object != last_object; ++object) look_at(*object);
+        std::array<std::pair<double, int>, 2> boxes;
+        std::size_t count = 0;
+        for (; box != last_box; ++box)
+            boxes[count++] = {tree.getVolume(*box).squaredExteriorDistance(point), *box};
+        if (count == 2 && boxes[1] < boxes[0]) std::swap(boxes[0], boxes[1]);
+        for (std::size_t i = 0; i < count; ++i)
+            if (boxes[i].first <= least) look_in(tree, boxes[i].second);
     }
 };
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle_between(const Vec3& a, const Vec3& b) { return scene::arc_tangent(a.cross(b).norm(), a.dot(b)); }
 
 }  // namespace
 
@@ -144,9 +157,10 @@ void TriangulatedSurface::join(const TriangleMesh& mesh) {
         }
 }
 
-TriangulatedSurface::Closest TriangulatedSurface::closest(const Vec3& point) const {
+TriangulatedSurface::Closest TriangulatedSurface::closest(const Vec3& point, Face start) const {
     Nearest<std::vector<Triangle>> nearest{point, triangles_};
-    Eigen::BVMinimize(tree_, nearest);
+    if (start > 0) nearest.look_at(start - 1);
+    nearest.look_in(tree_, tree_.getRootIndex());
     const auto& triangle = at(nearest.triangle);
     const auto& [place, feature, index] = nearest.place;
     Vec3 pseudo = triangle.normal;
@@ -192,7 +206,7 @@ Depth TriangulatedSurface::follow(const Vec3& point, double offset, const Closes
 }
 
 std::optional<Depth> TriangulatedSurface::depth(const Vec3& point, double offset, Face& face) const {
-    const auto nearest = closest(point);
+    const auto nearest = closest(point, face);
     if (face < 1 || nearest.height >= offset) face = nearest.triangle + 1;
     if (nearest.height >= offset) return std::nullopt;
     std::int32_t triangle = face - 1;

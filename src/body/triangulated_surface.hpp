@@ -54,7 +54,8 @@ class TriangulatedSurface final : public Shape {
     };
 
     void join(const TriangleMesh& mesh);
-    [[nodiscard]] Closest closest(const Vec3& point) const;
+    /// @param start a face with which the search begins; 0: none
+    [[nodiscard]] Closest closest(const Vec3& point, Face start) const;
     /// Depth seen from a triangle and, beyond its edges, from those that follow. @param triangle updated
     [[nodiscard]] Depth follow(const Vec3& point, double offset, const Closest& closest,
                                std::int32_t& triangle) const;

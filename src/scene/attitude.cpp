@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "weavefront/scene/trigonometry.hpp"
+
 namespace weavefront::scene {
 
 Quaternion product(const Quaternion& a, const Quaternion& b) {
@@ -13,10 +15,8 @@ Quaternion product(const Quaternion& a, const Quaternion& b) {
 
 Quaternion about(const std::array<double, 3>& axis, double angle) {
     const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    // In double precision the bits would depend on the processor for which the library chooses its code.
-    const long double half = static_cast<long double>(angle) / 2;
-    const auto cosine = static_cast<double>(std::cos(half)), sine = static_cast<double>(std::sin(half));
-    return {cosine, sine * axis[0] / length, sine * axis[1] / length, sine * axis[2] / length};
+    const double along = sine(angle / 2) / length;
+    return {cosine(angle / 2), along * axis[0], along * axis[1], along * axis[2]};
 }
 
 Quaternion normalized(const Quaternion& q) {

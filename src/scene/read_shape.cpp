@@ -7,6 +7,7 @@
 
 #include "parts.hpp"
 #include "projectile_files.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 
 namespace weavefront::scene {
 namespace {
@@ -61,7 +62,7 @@ double read_taper(Section& section, double drop) {
     section.refuse_if(section.has("nose_length"), "nose_length", "none beside apex_angle, which gives it");
     constexpr Range below_flat{0, false, 179 * std::numbers::pi / 180,
                                " greater than 0 and of at most 179 deg", "'60 deg'"};
-    return drop / std::tan(section.quantity("apex_angle", angle, below_flat) / 2);
+    return drop / tangent(section.quantity("apex_angle", angle, below_flat) / 2);
 }
 
 void read_cone(Section& section, Projectile& projectile) {
@@ -70,8 +71,8 @@ void read_cone(Section& section, Projectile& projectile) {
     projectile.tip_radius = section.quantity("tip_radius", length, non_negative, 0);
     // The largest sphere touches the cone at its base.
     const double slope = radius / projectile.nose_length, sine = slope / std::hypot(1, slope),
-                 cosine = 1 / std::hypot(1, slope);
-    require_at_most(section, "tip_radius", projectile.tip_radius, radius / cosine,
+                 cosine_of_taper = 1 / std::hypot(1, slope);
+    require_at_most(section, "tip_radius", projectile.tip_radius, radius / cosine_of_taper,
                     "that of the sphere that touches the cone at its base");
     read_length(section, projectile, projectile.nose_length - projectile.tip_radius * (1 / sine - 1));
 }
@@ -127,8 +128,8 @@ void read_ring_segment(Section& section, Projectile& projectile) {
     section.refuse_if(projectile.thickness >= projectile.outer_radius, "thickness",
                       "less than the outer radius");
     const double half = projectile.sector / 2, inner = projectile.outer_radius - projectile.thickness;
-    projectile.diameter = std::hypot(2 * projectile.outer_radius * std::sin(half), projectile.width);
-    projectile.length = projectile.outer_radius - inner * std::cos(half);
+    projectile.diameter = std::hypot(2 * projectile.outer_radius * sine(half), projectile.width);
+    projectile.length = projectile.outer_radius - inner * cosine(half);
 }
 
 void read_fsp(Section& section, Projectile& projectile) {
@@ -138,7 +139,7 @@ void read_fsp(Section& section, Projectile& projectile) {
                             "'35 deg'"};
     projectile.flat_angle = section.quantity("flat_angle", angle, slanted, 35 * std::numbers::pi / 180);
     read_length(section, projectile,
-                (projectile.diameter - projectile.flat_width) / 2 * std::tan(projectile.flat_angle));
+                (projectile.diameter - projectile.flat_width) / 2 * tangent(projectile.flat_angle));
 }
 
 void read_mesh(Section& section, Projectile& projectile) {

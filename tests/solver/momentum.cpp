@@ -46,7 +46,8 @@ TEST(FreeFlight, KeepsTheMomentumOfTargetAndProjectile) {
         tolerance += 7 * u * std::max(last, rounded_momentum(simulation, comm, mass));
     }
     const Vec3 after = momentum(simulation, comm, mass);
-    const double given = mass * (scene.projectile->velocity[2] - simulation.model().projectile->velocity().z());
+    const double given =
+        mass * (scene.projectile->velocity[2] - simulation.model().projectile->velocity().z());
     EXPECT_GT(given, 0.1 * before.z()) << "the target was hardly hit";
     for (int d = 0; d < 3; ++d) EXPECT_NEAR(after[d], before[d], tolerance) << "direction " << d;
     EXPECT_LT(tolerance, 1e-11 * before.norm());

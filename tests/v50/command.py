@@ -144,6 +144,13 @@ class V50(unittest.TestCase):
         else:
             self.assertIsNone(found["mixed_results"])
 
+    def test_random_strength_is_drawn_anew_for_each_shot(self):
+        strength = "fabrics.a.failure.scatter={weibull_modulus: 10, gauge_length: 50 mm}"
+        options = ("--from", "80 m/s", "--to", "220 m/s", "--count", "3", "--seed", "5")
+        self.limits.v50("strength", *options, "--set", strength, "--set", "target.symmetry=[]")
+        seeds = [row["fabrics.a.failure.scatter.seed"] for row in self.limits.rows("strength")]
+        self.assertEqual(seeds, ["6", "7", "8"])
+
     def test_shots_of_a_range_join_the_fit(self):
         limit = self.limit("whole")["middle"]
         (self.folder / "range.csv").write_text(

@@ -28,9 +28,12 @@ REFUSED = (
     (("--scatter", "projectile.mass"), "--scatter: found 'projectile.mass', allowed PATH=normal"),
     (("--scatter", "projectile.mas=normal(2 g, 1 g)"), "projectile.mas"),
     (("--scatter", "projectile.mass=normal(0.3 g, 0.3 g)", "--count", "100"), "projectile.mass"),
-    (("--count", "5"), "--count: found without --scatter, allowed with it only"),
-    (("--sigma", "5 m/s"), "--sigma: found without --scatter, allowed with it only"),
-    (("--scatter", "damping=uniform(1 1/s, 2 1/s)", "--width", "2 m/s"), "--width: found with --scatter"),
+    (("--count", "5"), "--count: found without scatter, allowed with it only"),
+    (("--sigma", "5 m/s"), "--sigma: found without scatter, allowed with it only"),
+    (
+        ("--scatter", "damping=uniform(1 1/s, 2 1/s)", "--width", "2 m/s"),
+        "--width: found with scatter, allowed without it only",
+    ),
     (
         ("--scatter", "damping=uniform(1 1/s, 2 1/s)", "--count", "0"),
         "--count: found 0, allowed 1 to 10000 shots",
@@ -42,6 +45,14 @@ REFUSED = (
     (("--set", "projectile.velocity=[0, 0, 0]"), "projectile.velocity.2: found '0'"),
     (("--set", "fabrics.a.failure="), "found no fabric with failure"),
     (("--shots", "nowhere.csv"), "nowhere.csv"),
+    (
+        ("--scatter", "damping=uniform(1 1/s, 2 1/s)", "--seed", "1000000001"),
+        "--seed: found 1000000001, allowed 0 to",
+    ),
+    (
+        ("--set", "fabrics.a.failure.scatter={weibull_modulus: 20, gauge_length: 50 mm}", "--mesh", "2 mm"),
+        "--mesh: found with scatter, allowed without it only",
+    ),
     (("--wide", "5 m/s"), "option '--wide': unknown"),
 )
 

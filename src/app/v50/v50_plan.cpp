@@ -22,6 +22,7 @@ namespace {
 constexpr double default_width = 5;  // m/s
 constexpr double least_width = 0.1;  // m/s, ten grains of the speeds
 constexpr int default_count = 20, most_count = 10'000;
+constexpr std::uint64_t most_seed = 1'000'000'000;
 constexpr double first_step = 0.2;        // of the scene's velocity
 constexpr double default_guess = 0.5;     // of the scene's velocity, on both sides of it
 constexpr double default_deviation = 20;  // parts of the way from `from` to `to`
@@ -73,8 +74,22 @@ void read_numbers(const V50Options& options, V50Plan& plan, Findings& findings) 
         plan.criterion = std::get<Criterion>(criterion);
 }
 
-void read_scatter(const V50Options& options, V50Plan& plan, Findings& findings) {
+/// Random strength draws anew for each shot, unless the user says how its seed goes.
+void add_seeds(V50Plan& plan, const scene::Scene& scene) {
+    for (const auto& fabric : scene.fabrics) {
+        if (!fabric.failure || !fabric.failure->scatter) continue;
+        ballistics::ScatterLaw law;
+        law.kind = ballistics::ScatterLaw::Kind::seed;
+        law.path = fmt::format("fabrics.{}.failure.scatter.seed", fabric.name);
+        if (std::ranges::find(plan.scatter, law.path, &ballistics::ScatterLaw::path) == plan.scatter.end())
+            plan.scatter.push_back(law);
+    }
+}
+
+void read_scatter(const V50Options& options, V50Plan& plan, const scene::Scene& scene, Findings& findings) {
     plan.seed = options.seed;
+    if (plan.seed > most_seed)
+        findings.push_back(fmt::format("--seed: found {}, allowed 0 to {}", plan.seed, most_seed));
     for (const auto& text : options.scatter) {
         const auto law = ballistics::scatter_law_of(text);
         if (const auto* problem = std::get_if<std::string>(&law))
@@ -82,17 +97,19 @@ void read_scatter(const V50Options& options, V50Plan& plan, Findings& findings) 
         else
             plan.scatter.push_back(std::get<ballistics::ScatterLaw>(law));
     }
-    const auto refuse = [&](bool is_given, const char* option, const char* found, const char* allowed) {
+    add_seeds(plan, scene);
+    const bool scatters = !options.scatter.empty() || !plan.scatter.empty();
+    const auto refuse = [&](bool is_given, const char* option) {
         if (is_given)
-            findings.push_back(
-                fmt::format("{}: found {} --scatter, allowed {} it only", option, found, allowed));
+            findings.push_back(fmt::format(
+                "{}: found {} scatter, allowed {} it only: --scatter, or failure.scatter of a fabric", option,
+                scatters ? "with" : "without", scatters ? "without" : "with"));
     };
-    const bool scatters = !options.scatter.empty();
-    refuse(!scatters && options.count, "--count", "without", "with");
-    refuse(!scatters && !options.sigma.empty(), "--sigma", "without", "with");
-    refuse(scatters && !options.width.empty(), "--width", "with", "without");
-    refuse(scatters && !options.mesh.empty(), "--mesh", "with", "without");
-    refuse(scatters && !options.stiffness.empty(), "--stiffness", "with", "without");
+    refuse(!scatters && options.count, "--count");
+    refuse(!scatters && !options.sigma.empty(), "--sigma");
+    refuse(scatters && !options.width.empty(), "--width");
+    refuse(scatters && !options.mesh.empty(), "--mesh");
+    refuse(scatters && !options.stiffness.empty(), "--stiffness");
 }
 
 void read_speeds(const V50Options& options, V50Plan& plan, Findings& findings) {
@@ -201,11 +218,11 @@ V50Plan read_v50_plan(const V50Options& options, const parallel::Communicator& c
     V50Plan plan;
     Findings findings;
     read_numbers(options, plan, findings);
-    read_scatter(options, plan, findings);
     read_speeds(options, plan, findings);
     plan.scene_name = options.scene.string();
     plan.scene_text = shared_text(options.scene, comm);
     const auto scene = scene::parse_scene(plan.scene_text, plan.scene_name, options.overrides);
+    read_scatter(options, plan, scene, findings);
     read_velocity(options, plan, scene, findings);
     read_variants(options, plan, scene, findings);
     raise(findings);

@@ -17,13 +17,15 @@ CASES = [
         ["rnu", "a.yaml"],
         2,
         [
-            "subcommand 'rnu': unknown, allowed run, check, cell, yarn, fabrics, study, v50, partition, did you mean 'run'?"
+            "subcommand 'rnu': unknown, allowed run, check, cell, yarn, fabrics, projectiles, study, v50, partition, did you mean 'run'?"
         ],
     ),
     (
         ["explode"],
         2,
-        ["subcommand 'explode': unknown, allowed run, check, cell, yarn, fabrics, study, v50, partition"],
+        [
+            "subcommand 'explode': unknown, allowed run, check, cell, yarn, fabrics, projectiles, study, v50, partition"
+        ],
     ),
     (["v50", "no_such_file.yaml"], 2, ["no_such_file.yaml: cannot be read: No such file or directory"]),
     (["study"], 2, [""]),

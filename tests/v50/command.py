@@ -90,6 +90,10 @@ class V50(unittest.TestCase):
             speeds = [float(row["speed_m_s"]) for row in self.limits.rows(f"only {option}")]
             self.assertTrue(min(speeds) >= 160 if option == "--from" else max(speeds) <= 120, speeds)
 
+    def test_takes_a_projectile_whose_outline_stands_in_a_file(self):
+        self.limits.v50("shape", *ENDS[:4], "--width", "130 m/s", *self.limits.profile(), ranks=2)
+        self.limit("shape")
+
     def test_speaks_in_the_unit_of_its_options(self):
         text = self.limits.v50("feet", "--from", "200 ft/s", "--to", "800 ft/s", "--width", "160 ft/s")
         self.assertRegex(text, r"limit +\d+\.\d\d to \d+\.\d\d ft/s \(\d+\.\d\d to \d+\.\d\d m/s\)")

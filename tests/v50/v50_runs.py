@@ -60,6 +60,12 @@ class Limits:
         assert done.returncode == status, (done.args, done.returncode, done.stdout, done.stderr)
         return done.stdout + done.stderr
 
+    def profile(self):
+        """Options for a flat-nosed projectile whose outline stands in a file."""
+        (self.folder / "outline.csv").write_text("0,4\n2.5,4\n2.5,0\n0,0\n")
+        outline = f"file: {self.folder / 'outline.csv'}"
+        return "--set", f"projectile={{shape: profile, {outline}, mass: 0.3 g, velocity: [0, 0, 200 m/s]}}"
+
     def rows(self, output):
         with open(self.folder / output / "v50.csv", newline="") as file:
             return list(csv.DictReader(file))

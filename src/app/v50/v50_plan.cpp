@@ -211,7 +211,13 @@ std::vector<std::string> V50Plan::settings_of(std::size_t variant, int number, d
 }
 
 scene::Scene V50Plan::scene_of(std::size_t variant, int number, double speed) const {
-    return scene::parse_scene(scene_text, scene_name, settings_of(variant, number, speed));
+    // Ranks parse scenes of shots at different times: none of them reads a file for the others.
+    const auto read = [this](const std::filesystem::path& path, std::size_t most) {
+        const auto known = files.find(path);
+        return known == files.end() ? scene::read_bytes(path, most) : known->second;
+    };
+    return scene::parse_scene(scene_text, scene_name, settings_of(variant, number, speed),
+                              scene::Need::impact, read);
 }
 
 V50Plan read_v50_plan(const V50Options& options, const parallel::Communicator& comm) {
@@ -221,7 +227,12 @@ V50Plan read_v50_plan(const V50Options& options, const parallel::Communicator& c
     read_speeds(options, plan, findings);
     plan.scene_name = options.scene.string();
     plan.scene_text = shared_text(options.scene, comm);
-    const auto scene = scene::parse_scene(plan.scene_text, plan.scene_name, options.overrides);
+    const auto read = [&plan, shared = shared_files(comm)](const std::filesystem::path& path,
+                                                           std::size_t most) {
+        return plan.files[path] = shared(path, most);
+    };
+    const auto scene =
+        scene::parse_scene(plan.scene_text, plan.scene_name, options.overrides, scene::Need::impact, read);
     read_scatter(options, plan, scene, findings);
     read_velocity(options, plan, scene, findings);
     read_variants(options, plan, scene, findings);

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +31,7 @@ struct V50Variant {
 /// The first variant is the scene as it stands.
 struct V50Plan {
     std::string scene_text, scene_name;
+    std::map<std::filesystem::path, std::string> files;  ///< that the scene names, read once
     std::vector<std::string> settings;  ///< of every shot: those of `v50`, then those of the user
     std::array<double, 3> direction{};  ///< of the shot, unit vector
     std::int64_t plies = 0;

@@ -36,6 +36,13 @@ def kill(process, whom, random_number):
             pass
 
 
+def wait_until_dead(folder):
+    deadline = time.monotonic() + 20
+    while is_alive(folder):
+        assert time.monotonic() < deadline, "a killed run goes on"
+        time.sleep(0.01)
+
+
 def killed_until_it_ends(program, output, whole, kills, seconds, random_number):
     """Returns how many kills there were and how often a checkpoint was under way."""
     folder = program.folder / output
@@ -58,6 +65,9 @@ def killed_until_it_ends(program, output, whole, kills, seconds, random_number):
                 kill(process, random_number.choice(("rank", "all", "mpirun")), random_number)
                 done += 1
         text = process.communicate(timeout=120)[1]
+        if process.returncode == 3 and "is in use by another run" in text:
+            wait_until_dead(folder)  # a rank that the killed mpirun had only just started
+            continue
         if process.returncode == 0:
             if done >= kills:
                 return done, hits
@@ -70,10 +80,7 @@ def killed_until_it_ends(program, output, whole, kills, seconds, random_number):
                 process.returncode,
                 text,
             )
-        deadline = time.monotonic() + 20
-        while is_alive(folder):
-            assert time.monotonic() < deadline, "a killed run goes on"
-            time.sleep(0.01)
+        wait_until_dead(folder)
 
 
 def main():

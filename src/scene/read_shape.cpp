@@ -13,7 +13,6 @@ namespace weavefront::scene {
 namespace {
 
 constexpr double steel = 7850;  // kg/m3
-constexpr double right_angle = std::numbers::pi / 2;
 
 double steel_length(const Projectile& projectile) {
     const double section = std::numbers::pi / 4 * projectile.diameter * projectile.diameter;

@@ -35,8 +35,7 @@ std::vector<double> inside(double low, double high, int points, std::span<const 
         speeds = section(low, high, points, shift);
         std::erase_if(speeds,
                       [&](double speed) { return is_shot(trials, speed) || speed <= low || speed >= high; });
-        const auto repeated = std::ranges::unique(speeds);
-        speeds.erase(repeated.begin(), repeated.end());
+        speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
         if (!speeds.empty()) break;
     }
     return speeds;

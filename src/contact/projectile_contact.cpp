@@ -65,7 +65,7 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
         if (!surface.alive[index]) continue;
         const auto& facet = surface.facets[index];
         const auto ply = static_cast<std::size_t>(facet.ply);
-        const auto& [offset, law] = plies_[ply];
+        const double offset = plies_[ply].offset;
         const auto box = Box::around(facet, x);
         // Points within the margin note their face before they enter the projectile. Before the first step
         // their velocities are not known.
@@ -82,7 +82,7 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
         const RigidPair pair{.facet = facet,
                              .area = surface.areas[index],
                              .rule = quadrature_.rule(f),
-                             .law = law,
+                             .law = plies_[ply].law,
                              .thickness = surface.plies[ply].thickness,
                              .body = Master::projectile,
                              .away = (box.low + box.high) / 2 - centre,

@@ -99,7 +99,8 @@ TEST_F(Frames, HaveTheKineticEnergyOfTheHistory) {
         [](double mass, const Vec3&, const Vec3& now) { return mass * now.squaredNorm() / 2; });
     EXPECT_NEAR(kinetic, balance.kinetic_fabric, 0.01 * balance.kinetic_fabric);
 
-    const auto& surface = array(frame_of(simulation, {Field::velocity}), "velocity").projectile;
+    const auto frame = frame_of(simulation, {Field::velocity});
+    const auto& surface = array(frame, "velocity").projectile;
     const auto& projectile = *simulation.model().projectile;
     const body::Motion motion{projectile.centre(), balance.projectile_velocity,
                               simulation.projectile_angular_velocity()};

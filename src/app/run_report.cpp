@@ -116,9 +116,9 @@ io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     row.debris_elements = b.debris_elements;
     row.debris_mass = b.debris_mass;
     row.debris_displacement = b.debris_displacement;
-    if (b.turning)
-        row.rotation = io::Rotation{b.turning->attitude, array_of(b.turning->angular_velocity),
-                                    array_of(b.turning->moment)};
+    if (b.rotation)
+        row.rotation = io::Rotation{b.rotation->attitude, array_of(b.rotation->angular_velocity),
+                                    array_of(b.rotation->moment)};
     return row;
 }
 

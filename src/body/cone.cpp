@@ -9,7 +9,7 @@ namespace weavefront::body {
 
 ShapePointer make_cone(const scene::Projectile& projectile) {
     const double radius = projectile.diameter / 2, tip = projectile.tip_radius,
-                 half = std::atan(radius / projectile.nose_length);  // between the axis and the side
+                 half = scene::arc_tangent(radius, projectile.nose_length);  // between the axis and the side
     Meridian meridian;
     double base = -projectile.nose_length;
     MeridianPoint from{0, 0};

@@ -125,7 +125,8 @@ TriangulatedSurface::TriangulatedSurface(TriangleMesh mesh) {
     }
     tree_.init(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
     bounds_ = {all.min(), all.max()};
-    for (const auto& point : mesh.points) radius_ = std::max(radius_, std::hypot(point.x(), point.y()));
+    for (const auto& point : mesh.points)
+        radius_ = std::max(radius_, std::sqrt(point.x() * point.x() + point.y() * point.y()));
 }
 
 void TriangulatedSurface::join(const TriangleMesh& mesh) {

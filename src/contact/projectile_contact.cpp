@@ -9,7 +9,7 @@ namespace weavefront::contact {
 namespace {
 
 bool is_upright(const body::RigidBody& projectile) {
-    return !projectile.turns() && projectile.attitude().is_that_of_space();
+    return !projectile.turns() && projectile.attitude().is_identity();
 }
 
 }  // namespace

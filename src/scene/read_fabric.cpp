@@ -8,6 +8,7 @@
 #include "both.hpp"
 #include "parts.hpp"
 #include "weavefront/scene/text.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 
 namespace weavefront::scene {
 namespace {
@@ -86,8 +87,8 @@ Lateral read_lateral(Section& section, const Fabric& fabric) {
     lateral.modulus = section.quantity("modulus", modulus, positive);
     lateral.shear_modulus = section.quantity("shear_modulus", modulus, positive);
     // IT04 (1), of the yarns that touch first
-    const double theta_min = std::asin(std::max(fabric.yarn.width / fabric.warp->yarn.span,
-                                                fabric.warp->yarn.width / fabric.yarn.span)) /
+    const double theta_min = arc_sine(std::max(fabric.yarn.width / fabric.warp->yarn.span,
+                                               fabric.warp->yarn.width / fabric.yarn.span)) /
                              2;
     lateral.locking_angle = section.quantity("locking_angle", angle, any_value, diagonal - theta_min);
     lateral.transition = section.quantity("transition", angle, positive);

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double steel = 7850;  // kg/m3
 
+// std::hypot has other last bits on processors with fused operations.
+double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
+
 double steel_length(const Projectile& projectile) {
     const double section = std::numbers::pi / 4 * projectile.diameter * projectile.diameter;
     return std::max(projectile.mass / (steel * section), 2 * projectile.edge_radius);
@@ -69,8 +72,8 @@ void read_cone(Section& section, Projectile& projectile) {
     projectile.nose_length = read_taper(section, radius);
     projectile.tip_radius = section.quantity("tip_radius", length, non_negative, 0);
     // The largest sphere touches the cone at its base.
-    const double slope = radius / projectile.nose_length, sine = slope / std::hypot(1, slope),
-                 cosine_of_taper = 1 / std::hypot(1, slope);
+    const double slope = radius / projectile.nose_length, sine = slope / length_of(1, slope),
+                 cosine_of_taper = 1 / length_of(1, slope);
     require_at_most(section, "tip_radius", projectile.tip_radius, radius / cosine_of_taper,
                     "that of the sphere that touches the cone at its base");
     read_length(section, projectile, projectile.nose_length - projectile.tip_radius * (1 / sine - 1));
@@ -113,7 +116,7 @@ void read_profile(Section& section, Projectile& projectile) {
 
 void read_box(Section& section, Projectile& projectile) {
     projectile.size = section.vector<3>("size", length, positive);
-    projectile.diameter = std::hypot(projectile.size[0], projectile.size[1]);
+    projectile.diameter = length_of(projectile.size[0], projectile.size[1]);
     projectile.length = projectile.size[2];
 }
 
@@ -127,7 +130,7 @@ void read_ring_segment(Section& section, Projectile& projectile) {
     section.refuse_if(projectile.thickness >= projectile.outer_radius, "thickness",
                       "less than the outer radius");
     const double half = projectile.sector / 2, inner = projectile.outer_radius - projectile.thickness;
-    projectile.diameter = std::hypot(2 * projectile.outer_radius * sine(half), projectile.width);
+    projectile.diameter = length_of(2 * projectile.outer_radius * sine(half), projectile.width);
     projectile.length = projectile.outer_radius - inner * cosine(half);
 }
 
@@ -146,7 +149,7 @@ void read_mesh(Section& section, Projectile& projectile) {
     if (projectile.triangles.points.empty()) return;
     double radius = 0;
     for (const auto& point : projectile.triangles.points)
-        radius = std::max(radius, std::hypot(point[0], point[1]));
+        radius = std::max(radius, length_of(point[0], point[1]));
     projectile.diameter = 2 * radius;
     const auto [rear, front] = extent(projectile.triangles.points, 2);
     projectile.length = front - rear;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "weavefront/fabric/cell.hpp"
+#include "weavefront/scene/trigonometry.hpp"
 #include "weavefront/shell/inversion.hpp"
 #include "weavefront/shell/vector.hpp"
 
@@ -106,7 +107,7 @@ std::array<Vector<double>, 4> ElementGroup::element_corners(std::int32_t index,
 double ElementGroup::braid_angle(std::int32_t index, const std::array<Vector<double>, 4>& corners) const {
     const auto k = kinematics_of(whole_quad(index), corners);
     const double cos_2theta = dot(k.g_f, k.g_w) / std::sqrt(dot(k.g_f, k.g_f) * dot(k.g_w, k.g_w));
-    return std::acos(std::clamp(cos_2theta, -1.0, 1.0)) / 2;
+    return scene::arc_cosine(std::clamp(cos_2theta, -1.0, 1.0)) / 2;
 }
 
 ElementCondition ElementGroup::condition(std::int32_t index, std::span<const Eigen::Vector3d> x) const {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "weavefront/scene/trigonometry.hpp"
+
 namespace weavefront::shell {
 
 namespace {
@@ -42,7 +44,7 @@ Quad<double> make_quad(const std::array<Eigen::Vector3d, 4>& corners, double ang
     const double area = (d13.x() * d24.y() - d13.y() * d24.x()) / 2;
     const Eigen::Vector2d b1{d24.y() / (2 * area), -d24.x() / (2 * area)},
         b2{-d13.y() / (2 * area), d13.x() / (2 * area)};
-    const Eigen::Vector2d fill{std::cos(angle), std::sin(angle)}, warp{-fill.y(), fill.x()};
+    const Eigen::Vector2d fill{scene::cosine(angle), scene::sine(angle)}, warp{-fill.y(), fill.x()};
     const Eigen::Vector2d hX = (corners[0] - corners[1] + corners[2] - corners[3]).head<2>();
     // A parallelogram of a graded mesh shall be one to the bit.
     const auto exact = [](double e) { return std::abs(e) < 1e-12 ? 0.0 : e; };

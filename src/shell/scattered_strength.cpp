@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "weavefront/scene/trigonometry.hpp"
 #include "weavefront/simd/math.hpp"
 
 namespace weavefront::shell {
@@ -70,7 +71,7 @@ double relative_strength(const scene::Scatter& scatter, double length, double dr
 
 ScatteredStrength::ScatteredStrength(const scene::Fabric& fabric, std::int32_t ply, double angle)
     : scatter_(*fabric.failure->scatter), ply_(ply) {
-    const Eigen::Vector2d fill{std::cos(angle), std::sin(angle)}, warp{-fill.y(), fill.x()};
+    const Eigen::Vector2d fill{scene::cosine(angle), scene::sine(angle)}, warp{-fill.y(), fill.x()};
     const auto of_fill = fabric.fill_system(), of_warp = fabric.warp_system();
     yarns_ = {{{false, fill, warp, of_fill.spacing, of_fill.yarn.span},
                {true, warp, fill, of_warp.spacing, of_warp.yarn.span}}};

@@ -158,8 +158,8 @@ void Simulation::add_projectile(Balance& balance) const {
     balance.contact_force = on_projectile_.force;
     balance.kinetic_projectile = p.kinetic_energy(on_projectile_, clock_.last_dt);
     if (p.turns())
-        balance.turning =
-            Turning{p.attitude().quaternion(), projectile_angular_velocity(), on_projectile_.moment};
+        balance.rotation =
+            Rotation{p.attitude().quaternion(), projectile_angular_velocity(), on_projectile_.moment};
 }
 
 void Simulation::close(Balance& balance) const {

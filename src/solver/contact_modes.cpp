@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "weavefront/scene/trigonometry.hpp"
+
 namespace weavefront::solver {
 
 namespace {
@@ -31,9 +33,10 @@ ContactModes contact_modes(const scene::Scene& scene) {
         sum.stiffness += modes.stiffness, sum.damping += modes.damping;
     };
     const auto plies = static_cast<double>(scene.target->plies.size());
-    if (scene.contact.plies && plies > 1)
-        add(modes_of(*scene.contact.plies, 4 * std::pow(std::cos(std::numbers::pi / (2 * plies)), 2),
-                     lightest, lightest / 2));
+    if (scene.contact.plies && plies > 1) {
+        const double cosine = scene::cosine(std::numbers::pi / (2 * plies));
+        add(modes_of(*scene.contact.plies, 4 * cosine * cosine, lightest, lightest / 2));
+    }
     if (scene.contact.projectile && scene.projectile) {
         const double radius = scene.projectile->diameter / 2,
                      mass = scene.projectile->mass / (std::numbers::pi * radius * radius);

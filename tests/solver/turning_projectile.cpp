@@ -62,7 +62,7 @@ TEST(TurningProjectile, ClosesTheEnergyLedger) {
         simulation.advance_forces();
         const auto balance = simulation.balance();
         largest = std::max(largest, std::abs(balance.energy_error));
-        ASSERT_TRUE(balance.turning.has_value());
+        ASSERT_TRUE(balance.rotation.has_value());
         simulation.integrate();
     }
     EXPECT_LT(largest, 2e-3);
@@ -77,7 +77,7 @@ TEST(TurningProjectile, KeepsItsAttitudeWhereItsRotationIsFixed) {
     advance(simulation, 200);
     EXPECT_EQ(simulation.model().projectile->attitude().quaternion(), start);
     simulation.advance_forces();
-    EXPECT_FALSE(simulation.balance().turning.has_value());
+    EXPECT_FALSE(simulation.balance().rotation.has_value());
     EXPECT_GT(simulation.balance().contact_force.norm(), 0);
 }
 

@@ -21,7 +21,7 @@ class Attitude {
     static Attitude of_unit(const std::array<double, 4>& quaternion);
 
     /// Whether the axes of the body are those of space.
-    [[nodiscard]] bool is_that_of_space() const { return q_ == std::array<double, 4>{1, 0, 0, 0}; }
+    [[nodiscard]] bool is_identity() const { return q_ == std::array<double, 4>{1, 0, 0, 0}; }
     /// w, x, y, z
     [[nodiscard]] const std::array<double, 4>& quaternion() const { return q_; }
     /// Row of the rotation matrix: an axis of space in body axes.

@@ -14,8 +14,7 @@ namespace weavefront::contact {
 struct ContactForces {
     std::vector<PairForce> pairs;
     std::vector<SlidingEnergy> sliding;  ///< J, one for each facet with sliding
-    /// Moments on a projectile that turns, about its centre of mass, one for each facet that presses on it, N
-    /// m.
+    /// Moments on a projectile that turns, N m: about its centre of mass, one for each facet that presses.
     std::vector<Vec3> moments;
     Deepest deepest;
 

@@ -12,7 +12,7 @@
 namespace weavefront::solver {
 
 /// Rotation of a projectile that turns.
-struct Turning {
+struct Rotation {
     std::array<double, 4> attitude{1, 0, 0, 0};  ///< quaternion w, x, y, z from its axes to those of space
     Vec3 angular_velocity{0, 0, 0},
         moment{0, 0, 0};  ///< in the axes of space, about its centre of mass, rad/s, N m
@@ -28,7 +28,7 @@ struct Balance {
     double time = 0;
     Vec3 projectile{0, 0, 0}, projectile_velocity{0, 0, 0},
         contact_force{0, 0, 0};  ///< m, m/s, N on the projectile
-    std::optional<Turning> turning;
+    std::optional<Rotation> rotation;
     double kinetic_fabric = 0, kinetic_projectile = 0;
     double internal = 0;   ///< work done on the yarns and on their packing, stored or not
     double hourglass = 0;  ///< potential of the hourglass modes and of warping

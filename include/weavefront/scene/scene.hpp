@@ -235,11 +235,18 @@ struct Projectile {
     Triangles triangles{};                         ///< of a mesh
 };
 
+/// Coulomb friction of a contact.
+struct Friction {
+    double static_coefficient = 0, kinetic_coefficient = 0;  ///< kinetic <= static
+    double stiffness_ratio = 0.8;  ///< tangential stiffness while sticking over `ContactLaw::stiffness`
+};
+
 /// Penalty contact with hysteresis; stiffness per area is a property of the fabric.
 struct ContactLaw {
-    double stiffness = 0;   ///< pressure per penetration while loading, Pa/m
-    double unloading = 10;  ///< unloading slope over loading slope, >= 1; 1: elastic
-    double damping = 0;     ///< fraction of critical damping
+    double stiffness = 0;                   ///< pressure per penetration while loading, Pa/m
+    double unloading = 10;                  ///< unloading slope over loading slope, >= 1; 1: elastic
+    double damping = 0;                     ///< fraction of critical damping
+    std::optional<Friction> friction = {};  ///< none: the contact has no friction
 };
 
 struct Contact {
@@ -282,6 +289,14 @@ struct Scene {
     std::string resolved;  ///< the scene as YAML with every default written out, SI
     std::string hash;      ///< 16 hex digits (FNV-1a 64) of `resolved`
     MessageUnits units;    ///< of messages; no value depends on them
+
+    /// Whether any contact that can occur has friction.
+    [[nodiscard]] bool has_contact_friction() const {
+        const bool of_projectile = projectile && contact.projectile && contact.projectile->friction,
+                   of_plies = target && target->plies.size() > 1 && contact.plies && contact.plies->friction,
+                   of_frame = target && target->frame && contact.frame.friction;
+        return of_projectile || of_plies || of_frame;
+    }
 };
 
 }  // namespace weavefront::scene

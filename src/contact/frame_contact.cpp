@@ -4,7 +4,7 @@ namespace weavefront::contact {
 
 FrameContact::FrameContact(const scene::Frame& frame, const scene::ContactLaw& law,
                            std::optional<double> spacing, const Surface& surface, std::span<const Vec3> x)
-    : quadrature_(spacing, surface, x), memories_(surface.owned) {
+    : friction_(CoulombLaw::of(law)), quadrature_(spacing, surface, x), memories_(surface.owned) {
     const auto& last = surface.plies.back();
     for (const auto& ply : surface.plies) {
         shapes_.emplace_back(frame, last.z + last.thickness / 2, ply.thickness / 2);
@@ -24,14 +24,15 @@ void FrameContact::evaluate(const Surface& surface, NodalNormals& normals, std::
             continue;
         }
         const auto ply = static_cast<std::size_t>(facet.ply);
-        const RigidPair pair{facet,
-                             surface.areas[f],
-                             quadrature_.rule(index),
-                             laws_[ply],
-                             surface.plies[ply].thickness,
-                             Master::frame,
-                             {0, 0, -1},
-                             {}};
+        const RigidPair pair{.facet = facet,
+                             .area = surface.areas[f],
+                             .rule = quadrature_.rule(index),
+                             .law = laws_[ply],
+                             .thickness = surface.plies[ply].thickness,
+                             .body = Master::frame,
+                             .away = {0, 0, -1},
+                             .motion = {},
+                             .friction = friction_ ? &*friction_ : nullptr};
         const auto of_ply = [&] {
             return quadrature_.at_nodes() ? PlyNormals() : normals.of(facet, surface, x);
         };

@@ -73,9 +73,10 @@ PlyContact::PlyContact(const scene::ContactLaw& law, std::optional<double> spaci
                        std::span<const Vec3> x)
     : distances_(surface.plies),
       laws_(law, surface.plies),
+      friction_(CoulombLaw::of(law)),
       quadrature_(spacing, surface, x, most_points_along_edge),
       culling_(surface, x),
-      memory_(static_cast<std::size_t>(surface.owned)) {}
+      memory_(static_cast<std::size_t>(surface.owned), friction_.has_value()) {}
 
 void PlyContact::update_candidates(const Surface& surface, const SweptBounds& swept, std::span<const Vec3> x,
                                    double skin) {
@@ -110,8 +111,13 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t nearest, const Step
                 .velocities = corners_of(facet.nodes, step.nodes.v),
                 .points = memory_.recall(f),
                 .around = {dissipated_budget, step.sliding_share}};
+    if (friction_) {
+        friction_pairs_.start();
+        slave.tractions = &memory_.tractions(f);
+        slave.turn = turn_of(corners_of(facet.nodes, step.nodes.x), slave.velocities, step.nodes.dt);
+    }
     for (std::size_t b = 0; b < rule.size(); ++b) {
-        Batch batch{rule[b], search.rays(b), slave.points[b], points_of(rule[b])};
+        Batch batch{rule[b], search.rays(b), slave.points[b], points_of(rule[b]), b};
         for (std::size_t k = 0; any(batch.unassigned); ++k) {
             const auto target = search.target(k);
             if (!target) break;
@@ -121,6 +127,9 @@ void PlyContact::evaluate_facet(std::int32_t f, std::int32_t nearest, const Step
         auto& points = batch.points;
         for (std::size_t i = 0; i < batch_width; ++i)
             if (batch.unassigned[i]) points.overlap[i] = points.ignored[i] = points.opened[i] = 0;
+        if (friction_)
+            for (std::size_t i = 0; i < batch_width; ++i)
+                if (batch.unassigned[i]) (*slave.tractions)[b][i] = {};
     }
     dissipated_budget += slave.sum.dissipated;
     if (slave.sum.sliding.is_any()) forces.sliding.push_back(slave.sum.sliding.times(slave.area));
@@ -158,6 +167,24 @@ void PlyContact::press_batch(Slave& slave, Batch& batch, std::size_t target, con
         const double size = -pressure[i] * slave.area * quadrature.share[i];
         const Vec3 force(size * rays.direction.x[i], size * rays.direction.y[i], size * rays.direction.z[i]);
         pair->add(force, quadrature.N, N, i);
+    }
+    if (friction_) add_friction(slave, batch, target, master, {met, pressure, N}, step, forces);
+}
+
+void PlyContact::add_friction(Slave& slave, const Batch& batch, std::size_t target, const Facet& master,
+                              const Met& met, const Step& step, ContactForces& forces) {
+    const auto master_velocities = corners_of(master.nodes, step.nodes.v);
+    PairForce* pair = nullptr;
+    for (std::size_t i = 0; i < batch_width; ++i) {
+        if (!met.points[i]) continue;
+        const Vec3 slip = step.nodes.dt * (at_point(master_velocities, met.N, i) -
+                                           at_point(slave.velocities, batch.quadrature.N, i));
+        const Vec3& traction =
+            friction_->advance((*slave.tractions)[batch.index][i], vector_at(batch.rays.direction, i),
+                               met.pressure[i], {slip, slave.turn});
+        if (traction == Vec3::Zero()) continue;
+        if (!pair) pair = &friction_pairs_.of(target, slave.facet, master, forces.friction);
+        pair->add(slave.area * batch.quadrature.share[i] * traction, batch.quadrature.N, met.N, i);
     }
 }
 

@@ -22,6 +22,7 @@ ProjectileContact::ProjectileContact(std::shared_ptr<const body::Shape> shape,
       bounds_(shape_->bounds()),
       is_upright_(is_upright(projectile)),
       search_radius_(is_upright_ ? shape_->radius() : (bounds_.high - bounds_.low).norm() / 2),
+      friction_(CoulombLaw::of(law)),
       quadrature_(spacing, surface, x),
       memories_(surface.owned) {
     for (const auto& ply : surface.plies)
@@ -87,7 +88,8 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
                              .body = Master::projectile,
                              .away = (box.low + box.high) / 2 - centre,
                              .motion = motion,
-                             .turns = projectile.turns()};
+                             .turns = projectile.turns(),
+                             .friction = friction_ ? &*friction_ : nullptr};
         const auto depth = [&](const Vec3& at, Point& point) {
             auto found = shape_->depth(projectile.to_body(at), offset, point.face);
             if (found) found->normal = projectile.attitude().to_space(found->normal);

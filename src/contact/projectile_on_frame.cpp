@@ -37,7 +37,8 @@ ProjectileOnFrame::ProjectileOnFrame(const scene::Projectile& projectile, const 
       inset_(rim_radius(projectile, !outline_.empty())),
       reach_(projectile.diameter / 2 - inset_),
       law_(law, projectile.mass / area_),
-      bars_{Bar{0, 1, {}}, Bar{0, -1, {}}, Bar{1, 1, {}}, Bar{1, -1, {}}} {}
+      friction_(CoulombLaw::of(law)),
+      bars_{Bar{0, 1, {}, {}}, Bar{0, -1, {}, {}}, Bar{1, 1, {}, {}}, Bar{1, -1, {}, {}}} {}
 
 std::optional<ProjectileOnFrame::Touch> ProjectileOnFrame::deepest_in(
     const Bar& bar, const body::RigidBody& projectile) const {
@@ -55,13 +56,13 @@ std::optional<ProjectileOnFrame::Touch> ProjectileOnFrame::deepest_in(
     return deepest;
 }
 
-body::Wrench ProjectileOnFrame::evaluate(const body::RigidBody& projectile, double dt) {
+FromFrame ProjectileOnFrame::evaluate(const body::RigidBody& projectile, double dt) {
     const auto velocities = projectile.motion();
-    body::Wrench wrench;
+    FromFrame sum;
     for (auto& bar : bars_) {
         const auto touch = deepest_in(bar, projectile);
         if (!touch) {
-            bar.penetration = {};
+            bar.penetration = {}, bar.traction = {};
             continue;
         }
         const auto& [point, found] = *touch;
@@ -70,11 +71,19 @@ body::Wrench ProjectileOnFrame::evaluate(const body::RigidBody& projectile, doub
         const RelativeMotion motion{closing, closing, velocity.norm()};
         const auto response = law_.advance(bar.penetration, found.depth, motion, dt, 1,
                                            {.dissipated_budget = 0, .sliding_share = 1});
-        const Vec3 force = response.pressure * area_ * found.normal;
-        wrench.force += force;
-        wrench.moment += (point - velocities.centre).cross(force);
+        const auto add = [&](const Vec3& at, const Vec3& force, body::Wrench& to) {
+            to.force += force;
+            to.moment += (at - velocities.centre).cross(force);
+        };
+        add(point, response.pressure * area_ * found.normal, sum.pressure);
+        if (!friction_) continue;
+        const Vec3 surface = point - inset_ * found.normal;
+        const auto& traction =
+            friction_->advance(bar.traction, found.normal, response.pressure,
+                               {.slip = -dt * velocities.at(surface), .turn = Vec3::Zero()});
+        add(surface, area_ * traction, sum.friction);
     }
-    return wrench;
+    return sum;
 }
 
 }  // namespace weavefront::contact

@@ -25,7 +25,7 @@ Translating fly(const scene::Projectile& projectile, const Vec3& from, const Vec
     Translating state{from, velocity};
     constexpr double dt = 1e-8;
     for (int step = 0; step < 6000; ++step) {
-        state.velocity += dt / mass * bars.evaluate(state, step > 0 ? dt : 0).force;
+        state.velocity += dt / mass * bars.evaluate(state, step > 0 ? dt : 0).pressure.force;
         state.position += dt * state.velocity;
     }
     return state;
@@ -75,8 +75,9 @@ TEST(ProjectileOnFrame, ANoseIsStoppedWhereItsOutlineIs) {
     contact::ProjectileOnFrame bars(pointed, bars_across_x, {.stiffness = k, .unloading = 1, .damping = 0},
                                     top);
     const Vec3 velocity(0, 0, 100);
-    EXPECT_EQ(bars.evaluate(Translating{Vec3(8e-3, 0, top + 3e-3), velocity}, 1e-8).force, Vec3(0, 0, 0));
-    const Vec3 force = bars.evaluate(Translating{Vec3(8e-3, 0, top + 9.3e-3), velocity}, 1e-8).force;
+    EXPECT_EQ(bars.evaluate(Translating{Vec3(8e-3, 0, top + 3e-3), velocity}, 1e-8).pressure.force,
+              Vec3(0, 0, 0));
+    const Vec3 force = bars.evaluate(Translating{Vec3(8e-3, 0, top + 9.3e-3), velocity}, 1e-8).pressure.force;
     EXPECT_LT(force.z(), 0);
     EXPECT_LT(force.x(), 0);
 }

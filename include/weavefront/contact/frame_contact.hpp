@@ -15,8 +15,8 @@
 
 namespace weavefront::contact {
 
-/// One-sided contact: fabric may slide on the frame and lift off, but cannot pass through it. The frame
-/// pushes along the same directions as the projectile, see PushDirections.
+/// One-sided contact: fabric may slide on the frame, with or without friction, and lift off, but cannot pass
+/// through it. The frame pushes along the same directions as the projectile, see PushDirections.
 class FrameContact {
   public:
     /// The last ply of `surface` rests on the frame at the start. @param x initial positions, m
@@ -52,6 +52,7 @@ class FrameContact {
     };
     std::vector<FrameShape> shapes_;  ///< by ply: inflated by its thickness
     std::vector<PenaltyLaw> laws_;    ///< by ply
+    std::optional<CoulombLaw> friction_;
     FacetQuadrature quadrature_;
     FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets
 };

@@ -32,6 +32,9 @@ namespace weavefront::contact {
 /// 4. `PenaltyLaw` turns the overlap of a point into a pressure; `PointMemory` keeps its penetration.
 /// 5. `PairForces` shares the pressure out to the nodes of both facets, along the ray on both sides.
 ///    Therefore momentum and angular momentum are conserved.
+/// 6. With friction, `CoulombLaw` turns pressure and slip into a traction, which goes the same way. Its two
+///    sides act on mid-surfaces a contact distance apart. So friction conserves momentum, and it makes a
+///    couple of its force and the contact distance, which nothing balances.
 class PlyContact {
   public:
     /// @param law     of all pairs of plies
@@ -86,6 +89,8 @@ class PlyContact {
         std::array<Vec3, 4> velocities;
         FacetPoints points;
         Surroundings around;
+        FacetTractions* tractions = nullptr;  ///< none without friction
+        Vec3 turn{0, 0, 0};                   ///< over the step, rad; with friction only
         ContactResponse sum{};
         bool in_contact = false;
     };
@@ -95,6 +100,13 @@ class PlyContact {
         const Rays& rays;
         PenetrationLanes& points;
         LaneMask unassigned;  ///< points without a master
+        std::size_t index;    ///< of the batch
+    };
+    /// Points of a batch in contact with one target.
+    struct Met {
+        const LaneMask& points;
+        const Lanes& pressure;    ///< Pa
+        const ShapeFunctions& N;  ///< of the target
     };
     void evaluate_facet(std::int32_t facet, std::int32_t nearest, const Step& step, ContactForces& forces);
     /// Makes a target the master of the unassigned points whose rays hit it. Applies the penalty law to these
@@ -103,14 +115,20 @@ class PlyContact {
     void press_batch(Slave& slave, Batch& batch, std::size_t target, const Facet& master, const Step& step,
                      ContactForces& forces);
 
+    /// Adds the friction of the points of a batch with a target.
+    void add_friction(Slave& slave, const Batch& batch, std::size_t target, const Facet& master,
+                      const Met& met, const Step& step, ContactForces& forces);
+
     ContactDistances distances_;
     PlyPairLaws laws_;
+    std::optional<CoulombLaw> friction_;
     FacetQuadrature quadrature_;
     Candidates candidates_;
     CullingSchedule culling_;
     PointMemory memory_;
-    RayTargets targets_;  ///< of the slave at hand
-    PairForces pairs_;    ///< of the slave at hand
+    RayTargets targets_;         ///< of the slave at hand
+    PairForces pairs_;           ///< of the slave at hand
+    PairForces friction_pairs_;  ///< the same of friction
 };
 
 }  // namespace weavefront::contact

@@ -6,8 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "weavefront/contact/coulomb.hpp"
 #include "weavefront/contact/facet_memory.hpp"
 #include "weavefront/contact/normal_rays.hpp"
 #include "weavefront/contact/penalty.hpp"
@@ -16,14 +18,20 @@ namespace weavefront::contact {
 
 /// Penetrations of the points of one facet, [batch].
 using FacetPoints = std::array<PenetrationLanes, most_batches>;
+/// Tractions of the points of one facet, [batch][lane].
+using FacetTractions = std::array<std::array<TangentialTraction, batch_width>, most_batches>;
 
-/// Penetrations of the facets in contact, and the dissipated budget of every owned facet. Facets without
-/// contact have no penetrations and take no memory for them.
+/// Penetrations and tractions of the facets in contact, and the dissipated budget of every owned facet.
+/// Facets without contact have no penetrations and take no memory for them. Without friction there are no
+/// tractions.
 class PointMemory {
   public:
-    /// @param facets number of owned facets
-    explicit PointMemory(std::size_t facets)
-        : penetrations_(static_cast<std::int32_t>(facets)), dissipated_budgets_(facets) {}
+    /// @param facets   number of owned facets
+    /// @param friction whether points have tractions
+    explicit PointMemory(std::size_t facets, bool friction = false)
+        : penetrations_(static_cast<std::int32_t>(facets)), dissipated_budgets_(facets) {
+        if (friction) tractions_.emplace(static_cast<std::int32_t>(facets));
+    }
 
     /// Whether a facet has penetrations.
     [[nodiscard]] bool holds(std::int32_t facet) const { return penetrations_.find(facet) != nullptr; }
@@ -44,8 +52,15 @@ class PointMemory {
     }
     /// Replaces the penetrations of a facet.
     void keep(std::int32_t facet, const FacetPoints& points) { penetrations_.take(facet) = points; }
-    /// Drops the penetrations of a facet. Its dissipated budget stays.
-    void forget(std::int32_t facet) { penetrations_.forget(facet); }
+    /// Drops the penetrations and tractions of a facet. Its dissipated budget stays.
+    void forget(std::int32_t facet) {
+        penetrations_.forget(facet);
+        if (tractions_) tractions_->forget(facet);
+    }
+
+    /// Tractions of a facet; zero where it had none. They hold until those of another facet are taken.
+    /// @pre points have friction
+    [[nodiscard]] FacetTractions& tractions(std::int32_t facet) { return tractions_->take(facet); }
 
     /// Dissipated budget of a facet, J/m2: see PenaltyLaw.
     [[nodiscard]] double& dissipated_budget(std::int32_t facet) {
@@ -69,10 +84,14 @@ class PointMemory {
                 batch.opened[i] = point.opened;
             }
         if constexpr (Archive::reads) keep(facet, points);
+        if (!tractions_) return;
+        for (auto& batch : tractions(facet))
+            for (auto& point : batch) point.state(archive);
     }
 
   private:
     FacetMemory<FacetPoints> penetrations_;
+    std::optional<FacetMemory<FacetTractions>> tractions_;
     std::vector<double> dissipated_budgets_;  ///< J/m2
 };
 

@@ -101,6 +101,7 @@ class ProjectileContact {
     bool is_upright_;       ///< its axes are those of space, always
     double search_radius_;  ///< about the search point, m
     std::vector<OfPly> plies_;
+    std::optional<CoulombLaw> friction_;
     FacetQuadrature quadrature_;
     std::vector<std::int32_t> candidates_;      ///< owned facets
     FacetMemory<RigidMemory<Point>> memories_;  ///< of the owned facets

@@ -5,11 +5,13 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "weavefront/body/depth.hpp"
 #include "weavefront/body/rigid_body.hpp"
+#include "weavefront/contact/coulomb.hpp"
 #include "weavefront/contact/frame.hpp"
 #include "weavefront/contact/penalty.hpp"
 #include "weavefront/mesh/vec3.hpp"
@@ -17,21 +19,26 @@
 
 namespace weavefront::contact {
 
+/// Forces of the frame on the projectile, and their moments.
+struct FromFrame {
+    body::Wrench pressure, friction;
+};
+
 /// Each bar of the frame presses along its normal on the point of the projectile that is deepest in it. Of a
 /// sphere, and of a cylinder along z, this point is known; of any other projectile it is one of its outline.
-/// The pressure of the projectile's contact law acts on the cross-section of the projectile. Every rank
-/// computes the same force.
+/// The pressure of the projectile's contact law acts on the cross-section of the projectile, and so does the
+/// friction of that law. Every rank computes the same forces.
 class ProjectileOnFrame {
   public:
     /// @param top height of the surface on which the last ply rests, m
     ProjectileOnFrame(const scene::Projectile& projectile, const scene::Frame& frame,
                       const scene::ContactLaw& law, double top);
 
-    /// Force on the projectile at its present position, and its moment.
+    /// Forces on the projectile at its present position, and their moments.
     /// @param dt the last step, s
-    [[nodiscard]] body::Wrench evaluate(const body::RigidBody& projectile, double dt);
+    [[nodiscard]] FromFrame evaluate(const body::RigidBody& projectile, double dt);
 
-    /// Penetrations of the four bars, one after the other.
+    /// Penetrations of the four bars, one after the other; with friction their tractions, too.
     template <class Archive>
     void state(Archive& archive, std::string_view name) {
         std::array<double, 3 * 4> all;
@@ -42,6 +49,7 @@ class ProjectileOnFrame {
         archive(name, std::span(all));
         for (std::size_t b = 0; b < bars_.size(); ++b)
             bars_[b].penetration = {all[3 * b], all[3 * b + 1], all[3 * b + 2]};
+        if (friction_) friction_state(archive, std::string(name) + ".traction");
     }
 
   private:
@@ -49,6 +57,7 @@ class ProjectileOnFrame {
         int axis;        ///< direction of the opening that the bar limits
         double outward;  ///< 1 or -1: the side of the opening on which the bar stands
         Penetration penetration;
+        TangentialTraction traction;
     };
     /// A point of the projectile in a bar.
     struct Touch {
@@ -58,6 +67,19 @@ class ProjectileOnFrame {
     /// The deepest point of the projectile in a bar; none outside.
     [[nodiscard]] std::optional<Touch> deepest_in(const Bar& bar, const body::RigidBody& projectile) const;
 
+    template <class Archive>
+    void friction_state(Archive& archive, const std::string& name) {
+        std::array<double, 4 * 4> all;
+        for (std::size_t b = 0; b < bars_.size(); ++b) {
+            const auto& [traction, slips] = bars_[b].traction;
+            all[4 * b] = traction.x(), all[4 * b + 1] = traction.y(), all[4 * b + 2] = traction.z();
+            all[4 * b + 3] = slips ? 1 : 0;
+        }
+        archive(name, std::span(all));
+        for (std::size_t b = 0; b < bars_.size(); ++b)
+            bars_[b].traction = {{all[4 * b], all[4 * b + 1], all[4 * b + 2]}, all[4 * b + 3] != 0};
+    }
+
     std::vector<Vec3> outline_;  ///< in body axes, m; empty: the rim of the foremost face, or a centre
     FrameShape shape_;           ///< inflated by the edge radius of a rim
     double area_;                ///< m2
@@ -65,6 +87,7 @@ class ProjectileOnFrame {
         inset_;  ///< distance of the edge's centre line from the side and from the nose of the projectile, m
     double reach_;  ///< distance of the edge's centre line from the axis, m
     PenaltyLaw law_;
+    std::optional<CoulombLaw> friction_;
     std::array<Bar, 4> bars_;
 };
 

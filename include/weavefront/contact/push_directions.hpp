@@ -15,7 +15,7 @@ namespace weavefront::contact {
 /// in node-to-surface contact.
 using PlyNormals = std::optional<std::array<Vec3, 4>>;
 
-/// Directions in which a rigid body without friction pushes the points of a facet.
+/// Directions in which the pressure of a rigid body pushes the points of a facet.
 ///
 /// Edges and flat faces push along the normal of the ply. Where an edge presses into the ply, the normals of
 /// ply and body differ. A force along the normal of the body would pull on the yarns, and their tension would

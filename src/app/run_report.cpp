@@ -119,6 +119,7 @@ io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     if (b.rotation)
         row.rotation = io::Rotation{b.rotation->attitude, array_of(b.rotation->angular_velocity),
                                     array_of(b.rotation->moment)};
+    row.contact_friction = b.contact_friction;
     return row;
 }
 
@@ -126,6 +127,7 @@ io::HistoryRow history_layout(const solver::Simulation& simulation) {
     io::HistoryRow layout;
     const auto& projectile = simulation.model().projectile;
     if (projectile && projectile->turns()) layout.rotation.emplace();
+    if (simulation.has_contact_friction()) layout.contact_friction = 0;
     return layout;
 }
 

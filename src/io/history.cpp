@@ -67,6 +67,7 @@ std::vector<Column> columns(const HistoryRow& row) {
                                {"contact_my", moment[1]},
                                {"contact_mz", moment[2]}});
     }
+    if (row.contact_friction) all.push_back({"contact_friction", *row.contact_friction});
     return all;
 }
 

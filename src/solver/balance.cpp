@@ -40,6 +40,7 @@ void require_balance(const Balance& balance, double limit, std::int64_t step) {
     require_taken("yarns have", balance.internal, Fault::internal);
     require_taken("friction has", balance.friction, Fault::friction);
     require_taken("contact has", balance.contact, Fault::contact);
+    require_taken("contact friction has", balance.contact_friction.value_or(0), Fault::contact);
 }
 
 double Simulation::damping_work(std::size_t node, const Vec3& next, double backward, double forward) const {
@@ -56,6 +57,7 @@ struct Simulation::LedgerSums {
         friction,
         damping,
         contact,
+        contact_friction,
         eroded,
         broken_yarns,
         eroded_elements,
@@ -114,6 +116,7 @@ void Simulation::add_element_energies(LedgerSums& sums) const {
     sums[LedgerSums::friction] += ledger_.eroded_friction;
     sums[LedgerSums::eroded] += ledger_.eroded_hourglass;
     sums[LedgerSums::contact] += ledger_.contact;
+    sums[LedgerSums::contact_friction] += ledger_.contact_friction;
     sums[LedgerSums::damping] += ledger_.damping;
     sums[LedgerSums::broken_yarns] = counts_.broken_yarns;
     sums[LedgerSums::eroded_elements] = counts_.eroded_elements;
@@ -211,6 +214,7 @@ Balance Simulation::balance() const {
     balance.friction = whole(LedgerSums::friction);
     balance.damping = whole(LedgerSums::damping);
     balance.contact = whole(LedgerSums::contact);
+    if (ledger_.has_contact_friction) balance.contact_friction = whole(LedgerSums::contact_friction);
     balance.eroded = whole(LedgerSums::eroded);
     balance.broken_yarns = counted(LedgerSums::broken_yarns);
     balance.eroded_elements = counted(LedgerSums::eroded_elements);

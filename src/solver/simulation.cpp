@@ -104,6 +104,7 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
     list_supports();
     ledger_.scale = parallel::FixedPoint(ledger_.energy_scale > 0 ? ledger_.energy_scale : 1);
     ledger_.mass_scale = parallel::FixedPoint(mass_of(scene));
+    ledger_.has_contact_friction = scene.has_contact_friction();
     adapt_time_step();
     update_candidates();
     seconds_ = {};  // phases are those of the steps
@@ -200,13 +201,15 @@ void Simulation::evaluate_contact() {
         model_.frame_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, clock_.last_dt,
                                        sliding_share(of_frame), contact_);
     book_sliding(of_frame);
-    for (const auto& pair : contact_.pairs)
-        model_.assembly.add_pair(pair, model_.nodes.force, agreement_.projectile_force);
-    for (const auto& moment : contact_.moments)
-        model_.assembly.add_moment(moment, agreement_.projectile_moment);
-    if (model_.projectile_on_frame)
-        from_frame_ =
-            without_mirrored(model_.projectile_on_frame->evaluate(*model_.projectile, clock_.last_dt));
+    for (const auto* pairs : {&contact_.pairs, &contact_.friction})
+        for (const auto& pair : *pairs)
+            model_.assembly.add_pair(pair, model_.nodes.force, agreement_.projectile_force);
+    for (const auto* moments : {&contact_.moments, &contact_.friction_moments})
+        for (const auto& moment : *moments) model_.assembly.add_moment(moment, agreement_.projectile_moment);
+    if (model_.projectile_on_frame) {
+        const auto of_whole = model_.projectile_on_frame->evaluate(*model_.projectile, clock_.last_dt);
+        from_frame_ = {without_mirrored(of_whole.pressure), without_mirrored(of_whole.friction)};
+    }
     add_half_step_contact_work(clock_.last_dt);
     contact_.deepest.time = clock_.time;
     counts_.deepest.include(contact_.deepest);
@@ -222,24 +225,32 @@ void Simulation::book_sliding(ContactKind kind) {
 
 /// The force at a time works half of a step with the velocity before it, half with the velocity after it.
 void Simulation::add_half_step_contact_work(double dt) {
+    add_contact_work(ledger_.contact, contact_.pairs, contact_.moments, from_frame_.pressure, dt);
+    if (ledger_.has_contact_friction)
+        add_contact_work(ledger_.contact_friction, contact_.friction, contact_.friction_moments,
+                         from_frame_.friction, dt);
+}
+
+void Simulation::add_contact_work(std::int64_t& taken, std::span<const contact::PairForce> pairs,
+                                  std::span<const Vec3> on_projectile, const body::Wrench& from_frame,
+                                  double dt) {
     const auto& v = model_.nodes.v;
     const auto body = model_.projectile ? model_.projectile->motion() : body::Motion();
-    for (const auto& pair : contact_.pairs) {
+    for (const auto& pair : pairs) {
         double power = pair.kind == contact::Master::projectile ? -pair.total.dot(body.velocity) : 0;
         for (std::size_t a = 0; a < 4; ++a) {
             power += pair.on_slave[a].dot(v[static_cast<std::size_t>(pair.slave[a])]);
             if (pair.kind == contact::Master::facet)
                 power += pair.on_master[a].dot(v[static_cast<std::size_t>(pair.master[a])]);
         }
-        ledger_.add(ledger_.contact, -power * dt / 2);
+        ledger_.add(taken, -power * dt / 2);
     }
-    for (const auto& moment : contact_.moments)
-        ledger_.add(ledger_.contact, -moment.dot(body.angular_velocity) * dt / 2);
-    if (from_frame_.force != Vec3::Zero() &&
+    for (const auto& moment : on_projectile) ledger_.add(taken, -moment.dot(body.angular_velocity) * dt / 2);
+    if (from_frame.force != Vec3::Zero() &&
         comm_.rank() == 0) {  // of the whole target, which the ledger has from its part
-        double power = from_frame_.force.dot(body.velocity);
-        if (model_.projectile->turns()) power += from_frame_.moment.dot(body.angular_velocity);
-        ledger_.add(ledger_.contact, -power * dt / 2 / multiplicity_);
+        double power = from_frame.force.dot(body.velocity);
+        if (model_.projectile->turns()) power += from_frame.moment.dot(body.angular_velocity);
+        ledger_.add(taken, -power * dt / 2 / multiplicity_);
     }
 }
 
@@ -266,7 +277,9 @@ void Simulation::apply_agreement() {
     const Vec3 on_part = model_.assembly.value(agreement_.projectile_force);
     const auto from_fabric = without_mirrored(
         {multiplicity_ * on_part, multiplicity_ * model_.assembly.moment(agreement_.projectile_moment)});
-    on_projectile_ = {from_fabric.force + from_frame_.force, from_fabric.moment + from_frame_.moment};
+    const auto& [pressure, friction] = from_frame_;
+    on_projectile_ = {from_fabric.force + pressure.force + friction.force,
+                      from_fabric.moment + pressure.moment + friction.moment};
     if (on_projectile_.force != Vec3::Zero()) counts_.touched = true, counts_.last_touched = clock_.time;
     search_.any_eroded = search_.any_eroded || agreement_.eroded > 0;
     search_.is_outdated = agreement_.eroded > 0 || agreement_.left_skin > 0;

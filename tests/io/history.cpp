@@ -87,6 +87,14 @@ TEST(History, HasColumnsOfRotationWhereTheProjectileTurns) {
     }
 }
 
+TEST(History, HasAColumnOfContactFrictionWhereAContactHasIt) {
+    auto row = numbered_row();
+    row.rotation = Rotation{{33, 34, 35, 36}, {37, 38, 39}, {40, 41, 42}};
+    row.contact_friction = 43;
+    EXPECT_TRUE(history_header(row).ends_with(",contact_mz,contact_friction"));
+    EXPECT_TRUE(history_line(row).ends_with(",42,43"));
+}
+
 TEST(History, AppearsUnderItsNameWithItsHeader) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);

@@ -50,6 +50,10 @@ TEST(Guard, StopsARunInWhichYarnsFrictionOrContactGiveEnergyFromNowhere) {
         bad.*energy = -0.6;
         EXPECT_THROW(require_balance(bad, 0.05, 1), GuardStop);
     }
+    balance.contact_friction = -0.4;
+    EXPECT_NO_THROW(require_balance(balance, 0.05, 1));
+    balance.contact_friction = -0.6;
+    EXPECT_THROW(require_balance(balance, 0.05, 1), GuardStop);
 }
 
 }  // namespace weavefront::solver::test

@@ -30,7 +30,7 @@ struct HistoryRow {
     double kinetic_projectile = 0;
     double internal = 0;
     double hourglass = 0;
-    double contact = 0;   ///< stored and damped in contact
+    double contact = 0;   ///< stored and damped in contact, without its friction
     double friction = 0;  ///< of yarns
     double damping = 0;
     double external = 0;
@@ -43,12 +43,13 @@ struct HistoryRow {
     double back_face_deflection = 0;  ///< largest displacement along z of joined fabric of the last ply, m
     double penetration =
         0;  ///< deepest that fabric and the projectile, another ply or the frame overlapped until then, m
-    std::array<double, 2> penetration_at{};  ///< its place in x and y, m
-    std::int64_t penetration_ply = 0;        ///< its ply, 1 = struck first; 0: nothing was in contact
-    std::int64_t debris_elements = 0;        ///< neither eroded nor joined to a support
-    double debris_mass = 0;                  ///< kg
-    double debris_displacement = 0;          ///< largest displacement along z of a node of debris, m
-    std::optional<Rotation> rotation = {};   ///< in all rows of a file, or in none
+    std::array<double, 2> penetration_at{};       ///< its place in x and y, m
+    std::int64_t penetration_ply = 0;             ///< its ply, 1 = struck first; 0: nothing was in contact
+    std::int64_t debris_elements = 0;             ///< neither eroded nor joined to a support
+    double debris_mass = 0;                       ///< kg
+    double debris_displacement = 0;               ///< largest displacement along z of a node of debris, m
+    std::optional<Rotation> rotation = {};        ///< in all rows of a file, or in none
+    std::optional<double> contact_friction = {};  ///< taken by contact friction; in all rows, or in none
 };
 
 /// The global topology of the results in canonical order, of which each rank passes the part it owns. Every

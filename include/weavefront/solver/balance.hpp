@@ -32,7 +32,7 @@ struct Balance {
     double kinetic_fabric = 0, kinetic_projectile = 0;
     double internal = 0;   ///< work done on the yarns and on their packing, stored or not
     double hourglass = 0;  ///< potential of the hourglass modes and of warping
-    double contact = 0;    ///< stored and damped in contact
+    double contact = 0;    ///< stored and damped in contact, without its friction
     double friction = 0;   ///< of the yarns
     double damping = 0;
     double external = 0;      ///< done by supports: none of them moves
@@ -50,16 +50,18 @@ struct Balance {
     std::int64_t debris_elements = 0, folded_elements = 0;
     double debris_mass = 0;          ///< kg
     double debris_displacement = 0;  ///< of a node of debris along z, the largest, m
+    std::optional<double> contact_friction =
+        {};  ///< taken by the tangential forces of contact, stored or not; none without such friction
 
     /// What must stay constant, J.
     [[nodiscard]] double total() const {
         return kinetic_fabric + kinetic_projectile + internal + hourglass + contact + friction + damping +
-               eroded - external;
+               eroded - external + contact_friction.value_or(0);
     }
 };
 
-/// Refuses a balance that does not close, and energy from nowhere: what yarns, friction or contact have given
-/// beyond what they had taken.
+/// Refuses a balance that does not close, and energy from nowhere: what yarns, friction, contact or friction
+/// of contact have given beyond what they had taken.
 /// @param limit of the closure error and of that energy, over the transferred energy
 /// @throws GuardStop
 void require_balance(const Balance& balance, double limit, std::int64_t step);

@@ -15,6 +15,8 @@ struct Ledger {
     double energy_scale = 0;                 ///< most that the target can take over, J
     double transferred_energy = 0;           ///< most that was recorded outside of the projectile, J
     std::int64_t contact = 0, damping = 0;
+    std::int64_t contact_friction = 0;
+    bool has_contact_friction = false;  ///< of the scene
     std::int64_t eroded_work = 0, eroded_friction = 0, eroded_hourglass = 0;
     bool is_faulty = false;  ///< an energy was not finite, or too large to be true
 
@@ -30,6 +32,7 @@ struct Ledger {
     void state(Archive& archive) {
         archive("ledger.transferred_energy", transferred_energy);
         archive.sum("ledger.contact", contact);
+        if (has_contact_friction) archive.sum("ledger.contact_friction", contact_friction);
         archive.sum("ledger.damping", damping);
         archive.sum("ledger.eroded_work", eroded_work);
         archive.sum("ledger.eroded_friction", eroded_friction);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,8 @@ class Simulation {
     [[nodiscard]] contact::Deepest deepest() const;
     /// Elements that lie behind the next ply although no element of that ply is eroded. @note Collective
     [[nodiscard]] CrossedElements crossed_elements() const;
+    /// Whether any contact has friction.
+    [[nodiscard]] bool has_contact_friction() const { return ledger_.has_contact_friction; }
     /// Whether an edge of the target is held or rests on the frame.
     [[nodiscard]] bool is_supported() const {
         return std::ranges::any_of(scene_.target->edges,
@@ -136,6 +139,10 @@ class Simulation {
     void record_events(const shell::Events& events);
     void book_sliding(ContactKind kind);
     void add_half_step_contact_work(double dt);
+    /// @param on_projectile moments on a projectile that turns
+    /// @param from_frame    on the projectile
+    void add_contact_work(std::int64_t& taken, std::span<const contact::PairForce> pairs,
+                          std::span<const Vec3> on_projectile, const body::Wrench& from_frame, double dt);
     [[noreturn]] void stop_at_fault() const;
     /// Global id of the lowest element with a force that is not finite or out of range; -1: none.
     /// @note Collective
@@ -181,7 +188,8 @@ class Simulation {
     bool stop_requested_ = false, checkpoint_requested_ = false;  // by this rank
     StepAgreement agreement_;  // of this rank while forces are computed, then of all ranks
 
-    body::Wrench on_projectile_, from_frame_;  // on the projectile: of all, and of the frame alone
+    body::Wrench on_projectile_;
+    contact::FromFrame from_frame_;
     std::optional<body::RigidBody> initial_projectile_;
     contact::ContactForces contact_;
     std::array<contact::SlidingAccount, contact_kinds> sliding_;

@@ -12,6 +12,7 @@ LEDGER = (
     ("contact", "Contact", PURPLE),
     ("hourglass", "Hourglass", RED),
     ("friction", "Friction", BROWN),
+    ("contact_friction", "Friction of contact", "#8a6d3b"),
     ("damping", "Damping", PINK),
     ("external", "External work", FAINT),
     ("eroded", "Hourglass, let go with broken\nyarns and eroded elements", "#4d9a9a"),

@@ -30,6 +30,7 @@ OPTIONAL = (
     "hourglass",
     "contact",
     "friction",
+    "contact_friction",
     "damping",
     "external",
     "eroded",

@@ -15,11 +15,34 @@ namespace {
 // safety factor leaves.
 constexpr double negligible = 0.01;
 
-/// Of `springs` contact springs over a mass per area. @param reduced mass per area that the law's fraction of
-/// critical damping refers to
+// A force along the surface of a body that turns moves its point by up to so much more than the centre of
+// mass: 1 + (arm/radius of gyration)^2. It is 3.5 for a sphere, less than 4 for a cylinder, and 16 at the tip
+// of a slender cone, all of uniform density.
+constexpr double turning = 16;
+
+/// Springs of contact on one mass per area, in ratio to one spring per area.
+struct Springs {
+    double normal, tangential;
+};
+
+/// Of contact springs over a mass per area. @param reduced mass per area that the law's fraction of critical
+/// damping refers to
+ContactModes modes_of(const scene::ContactLaw& law, const Springs& springs, double mass, double reduced) {
+    ContactModes modes{
+        .stiffness = springs.normal * law.unloading * law.stiffness / mass,
+        .damping = springs.normal * 2 * law.damping * std::sqrt(law.stiffness * reduced) / mass};
+    if (law.friction) {
+        const auto& [of_static, mu, ratio] = *law.friction;
+        const double slipping = modes.stiffness * (1 + std::sqrt(1 + mu * mu)) / 2;
+        modes.tangential = springs.tangential * ratio * law.stiffness / mass;
+        modes.stiffness = std::max(slipping - modes.tangential, 0.0);
+    }
+    return modes;
+}
+
+/// The same in all directions.
 ContactModes modes_of(const scene::ContactLaw& law, double springs, double mass, double reduced) {
-    return {springs * law.unloading * law.stiffness / mass,
-            springs * 2 * law.damping * std::sqrt(law.stiffness * reduced) / mass};
+    return modes_of(law, {springs, springs}, mass, reduced);
 }
 
 }  // namespace
@@ -31,6 +54,7 @@ ContactModes contact_modes(const scene::Scene& scene) {
     ContactModes sum;
     const auto add = [&](const ContactModes& modes) {
         sum.stiffness += modes.stiffness, sum.damping += modes.damping;
+        sum.tangential += modes.tangential;
     };
     const auto plies = static_cast<double>(scene.target->plies.size());
     if (scene.contact.plies && plies > 1) {
@@ -41,8 +65,11 @@ ContactModes contact_modes(const scene::Scene& scene) {
         const double radius = scene.projectile->diameter / 2,
                      mass = scene.projectile->mass / (std::numbers::pi * radius * radius);
         const bool counts = lightest > negligible * mass;
-        add(modes_of(*scene.contact.projectile, counts ? 1 + lightest / mass : 1, lightest, lightest));
-        if (counts && scene.target->frame) add(modes_of(*scene.contact.projectile, 1, mass, mass));
+        const double point = scene.projectile->turns ? turning : 1;
+        const Springs springs =
+            counts ? Springs{1 + lightest / mass, 1 + point * lightest / mass} : Springs{1, 1};
+        add(modes_of(*scene.contact.projectile, springs, lightest, lightest));
+        if (counts && scene.target->frame) add(modes_of(*scene.contact.projectile, {1, point}, mass, mass));
     }
     if (scene.target->frame) add(modes_of(scene.contact.frame, 1, lightest, lightest));
     return sum;
@@ -59,6 +86,7 @@ double joint_frequency_squared(double in_plane, double out_of_plane, double cont
 // leaves it above.
 double damped_frequency_squared(double in_plane, double out_of_plane, const ContactModes& contact,
                                 double sine_squared) {
+    in_plane += contact.tangential, out_of_plane += contact.tangential;
     const double half = contact.damping / 2;
     double omega = half + std::sqrt(half * half + std::max(in_plane, out_of_plane) + contact.stiffness);
     constexpr int turns = 8;

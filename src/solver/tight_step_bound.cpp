@@ -125,7 +125,8 @@ double TightStepBound::joint(const Present& present, double in_plane, double sin
 shell::TighteningStart TightStepBound::start_of(const Present& present, double worth) const {
     const double contact = contact_.stiffness + std::sqrt(worth) * contact_.damping;
     const auto limit = [&](double sine_squared) {
-        return in_plane_of_joint(worth, present.held.out_of_plane, contact, sine_squared);
+        return in_plane_of_joint(worth - contact_.tangential, present.held.out_of_plane, contact,
+                                 sine_squared);
     };
     const bool coupled = has(Part::coupling) && crimped_ &&
                          joint(present, least_in_plane * present.held.in_plane, any_angle) < worth;

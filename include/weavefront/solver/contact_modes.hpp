@@ -8,13 +8,21 @@ namespace weavefront::solver {
 
 /// Contact over the mass that it moves: omega^2 of its springs, 1/s2, and the rate 2 xi omega of its dampers,
 /// 1/s.
+///
+/// The stiffness of a point that sticks is k_t 1 + (k_n - k_t) n n^T: `tangential` in every direction, and
+/// `stiffness` along the normal on top of it.
 struct ContactModes {
     double stiffness = 0, damping = 0;
+    double tangential = 0;  ///< of friction, 1/s2
 };
 
 /// Contact closed everywhere and unloading, on the slope of u k. The highest mode of a free stack of n plies
 /// has f = 4 cos^2(pi/(2 n)) springs over its mass per area: omega^2 = f u k/m and 2 xi omega = f c/m. A
 /// light projectile adds its own mode, with its cross-section for the area.
+///
+/// With friction, points may stick or slip. A point that slips has the stiffness k_n (n + mu t) n^T. It adds
+/// at most the largest eigenvalue of its symmetric part to the real part of any eigenvalue. That is
+/// k_n (1 + sqrt(1 + mu^2))/2, which stands for u k.
 [[nodiscard]] ContactModes contact_modes(const scene::Scene& scene);
 
 /// Bound on omega^2 of fabric and contact together, 1/s2, without dampers.
@@ -29,9 +37,9 @@ struct ContactModes {
 [[nodiscard]] double joint_frequency_squared(double in_plane, double out_of_plane, double contact,
                                              double sine_squared);
 
-/// The same bound with the dampers. Central differences whose dampers see the velocity of half a step before
-/// are stable up to dt = 2/omega with omega^2 = omega_0^2 + omega 2 xi omega_0. So contact counts as
-/// stiffness + omega damping.
+/// The same bound with the dampers and the tangential stiffness, which acts in every direction. Central
+/// differences whose dampers see the velocity of half a step before are stable up to dt = 2/omega with
+/// omega^2 = omega_0^2 + omega 2 xi omega_0. So contact counts as stiffness + omega damping.
 [[nodiscard]] double damped_frequency_squared(double in_plane, double out_of_plane,
                                               const ContactModes& contact, double sine_squared);
 

@@ -26,6 +26,7 @@ std::vector<std::string> inactive_features(const scene::Scene& scene, int ranks)
     unless(scene.projectile.has_value(), "projectile and its contact (no projectile)");
     unless(scene.contact.plies && scene.target && scene.target->plies.size() > 1,
            "contact between plies (no contact.plies, or a single ply)");
+    unless(scene.has_contact_friction(), "friction of contact (no friction of a contact)");
     unless(scene.target && scene.target->frame, "frame and its contact (no edge rests on it)");
     unless(scene.damping > 0, "mass damping (no damping)");
     unless(ranks > 1, "halo exchange (one rank)");

@@ -68,7 +68,6 @@ Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, co
         section.vector<3>("position", length, any_value, std::array<double, 3>{0, 0, foremost});
     projectile.velocity = section.vector<3>("velocity", speed, any_value);
     if (hits_fabric) check_shot(section, projectile, *target, foremost);
-    section.unavailable({"friction"});
     return projectile;
 }
 

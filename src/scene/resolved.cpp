@@ -176,8 +176,13 @@ void write_projectile(std::string& text, const Projectile& p, const std::array<b
 
 void write_law(std::string& text, std::string_view key, const std::optional<ContactLaw>& law) {
     if (!law) return;
-    line(text, "  {}: {{stiffness: {} N/m^3, unloading: {}, damping: {}}}", key, law->stiffness,
-         law->unloading, law->damping);
+    const auto& friction = law->friction;
+    line(text, "  {}: {{stiffness: {} N/m^3, unloading: {}, damping: {}{}}}", key, law->stiffness,
+         law->unloading, law->damping,
+         friction ? fmt::format(", friction: {{static: {}, kinetic: {}, stiffness_ratio: {}}}",
+                                friction->static_coefficient, friction->kinetic_coefficient,
+                                friction->stiffness_ratio)
+                  : std::string());
 }
 
 void write_contact(std::string& text, const Contact& contact, bool has_frame) {

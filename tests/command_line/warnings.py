@@ -226,6 +226,10 @@ WARNINGS = [
         [*FRAME, "contact.frame.stiffness=5600 N/m^3"],
         "contact.frame.stiffness of 5600 N/m^3 is too soft: fabric about to break goes 4.033e+07 mm into the bars, a ply is 0.1417 mm",
     ),
+    (
+        ["contact.plies.friction={static: 20, kinetic: 0.2}"],
+        "contact.plies.friction is 20: coefficients of fabric are some tenths",
+    ),
     (["contact.spacing=1 km"], "contact.spacing is 1e+06 mm, more than the 6 mm of the projectile"),
     (
         ["projectile.diameter=1 mm", "projectile.mass=4.11 mg"],

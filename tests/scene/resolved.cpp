@@ -26,7 +26,8 @@ const std::vector<std::string> awkward{
     "projectile={shape: cylinder, diameter: 0.21 in, edge_radius: 0.01 in, mass: 44 grain, position: [1 mm, "
     "0.1 in, -0.2 in], velocity: "
     "[1 ft/s, -2 km/h, 1404 ft/s]}",
-    "contact={spacing: nodes, projectile: {stiffness: 1e3 ksi/in, unloading: 3, damping: 0.1}, plies: {}}",
+    "contact={spacing: nodes, projectile: {stiffness: 1e3 ksi/in, unloading: 3, damping: 0.1, friction: "
+    "{static: 31 %, kinetic: 0.17, stiffness_ratio: 0.77}}, plies: {friction: 0.13}}",
     "damping=3 1/min",
     "time={end: 0.000003 min, safety: 0.8}",
     "limits.energy_error=7 %",
@@ -37,6 +38,11 @@ void expect_equal(const ContactLaw& a, const ContactLaw& b) {
     EXPECT_EQ(a.stiffness, b.stiffness);
     EXPECT_EQ(a.unloading, b.unloading);
     EXPECT_EQ(a.damping, b.damping);
+    ASSERT_EQ(a.friction.has_value(), b.friction.has_value());
+    if (!a.friction) return;
+    EXPECT_EQ(a.friction->static_coefficient, b.friction->static_coefficient);
+    EXPECT_EQ(a.friction->kinetic_coefficient, b.friction->kinetic_coefficient);
+    EXPECT_EQ(a.friction->stiffness_ratio, b.friction->stiffness_ratio);
 }
 
 void expect_equal(const Fabric& a, const Fabric& b) {

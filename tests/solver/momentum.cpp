@@ -35,7 +35,8 @@ double rounded_momentum(const Simulation& simulation, const parallel::Communicat
 TEST(FreeFlight, KeepsTheMomentumOfTargetAndProjectile) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const auto scene = scene_with({"target.plies.count=3", "projectile.position=[1 mm, 2 mm, -0.11 mm]",
-                                   "projectile.velocity=[60 m/s, -30 m/s, 300 m/s]"});
+                                   "projectile.velocity=[60 m/s, -30 m/s, 300 m/s]",
+                                   "contact.projectile.friction=0.3", "contact.plies.friction=0.2"});
     Simulation simulation(scene, comm);
     const double mass = scene.projectile->mass;
     const Vec3 before = momentum(simulation, comm, mass);

@@ -23,6 +23,22 @@ const std::vector<std::string> onto_the_frame{
     "target.size=[30 mm, 30 mm]", "target.edges={y: frame}", "target.frame={opening: {y: 8 mm}}",
     "projectile.position=[0, 3.5 mm, -0.2 mm]", "projectile.velocity=[0, 0, 100 m/s]"};
 
+/// The first with friction in all of them, of points that stick and slip.
+const std::vector<std::string> with_friction = [] {
+    auto overrides = perforated;
+    for (const auto* friction : {"contact.projectile.friction={static: 0.3, kinetic: 0.2}",
+                                 "contact.plies.friction=0.2", "contact.frame.friction=0.1"})
+        overrides.emplace_back(friction);
+    return overrides;
+}();
+
+/// A projectile that comes down on the frame and rubs on it.
+const std::vector<std::string> onto_the_frame_with_friction = [] {
+    auto overrides = onto_the_frame;
+    overrides.emplace_back("contact.projectile.friction={static: 0.3, kinetic: 0.2}");
+    return overrides;
+}();
+
 /// A slack ply that does not break: its yarns, straightened and packed here and there, decide on the time
 /// step.
 const std::vector<std::string> slack{"target.size=[22 mm, 22 mm]", "fabrics.kevlar129.thickness=0.82 mm",
@@ -51,6 +67,7 @@ Balance expect_no_trace(const std::vector<std::string>& overrides, int steps) {
             const auto a = still.balance(), b = moved.balance();
             EXPECT_EQ(a.projectile_velocity, b.projectile_velocity) << n;
             EXPECT_EQ(a.contact, b.contact) << n;
+            EXPECT_EQ(a.contact_friction, b.contact_friction) << n;
             EXPECT_EQ(a.internal, b.internal) << n;
             EXPECT_EQ(a.kinetic_fabric, b.kinetic_fabric) << n;
             EXPECT_EQ(a.eroded, b.eroded) << n;
@@ -70,6 +87,11 @@ TEST(Redistribution, LeavesNoTraceInAPerforation) {
     const auto end = expect_no_trace(perforated, 600);
     EXPECT_GT(end.eroded_elements, 0);  // the scene does what it is here for
     EXPECT_GT(end.contact, 0);
+}
+
+TEST(Redistribution, LeavesNoTraceInContactFriction) {
+    const auto end = expect_no_trace(with_friction, 400);
+    EXPECT_GT(*end.contact_friction, 1e-3 * end.contact);
 }
 
 TEST(Redistribution, LeavesNoTraceInTheTimeStepOfSlackYarns) {
@@ -140,6 +162,7 @@ void expect_same_future(Simulation& whole, const scene::Scene& scene, int steps,
         ASSERT_EQ(a.contact_force, b.contact_force) << n;
         ASSERT_EQ(a.internal, b.internal) << n;
         ASSERT_EQ(a.contact, b.contact) << n;
+        ASSERT_EQ(a.contact_friction, b.contact_friction) << n;
         ASSERT_EQ(a.broken_yarns, b.broken_yarns) << n;
         ASSERT_EQ(a.transferred_energy, b.transferred_energy) << n;
         ASSERT_EQ(a.deepest.overlap, b.deepest.overlap) << n;
@@ -156,7 +179,8 @@ void expect_same_future(Simulation& whole, const scene::Scene& scene, int steps,
 TEST(SavedState, IsAllThatARunDependsOn) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     for (const auto& [overrides, before] :
-         {std::pair(&perforated, 300), std::pair(&slack, 300), std::pair(&onto_the_frame, 60)}) {
+         {std::pair(&perforated, 300), std::pair(&slack, 300), std::pair(&onto_the_frame, 60),
+          std::pair(&with_friction, 300), std::pair(&onto_the_frame_with_friction, 60)}) {
         const auto scene = scene_with(*overrides);
         Simulation whole(scene, comm);
         for (int n = 0; n < before; ++n) whole.advance_forces(), whole.integrate();

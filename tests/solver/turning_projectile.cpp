@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "small_scene.hpp"
 
@@ -18,10 +19,11 @@ const std::string inclined =
 
 // Each node of the fabric takes the moment of its integer force, and the projectile those of its facets, in
 // its own fixed point. What is lost per step is a quantum of force over the lever of each node of a facet and
-// a quantum of moment for each facet. The rest is the rounding of ten operations.
+// a quantum of moment for each facet. Friction does so once more. The rest is the rounding of ten operations.
 TEST(TurningProjectile, KeepsTheAngularMomentumOfTargetAndProjectile) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
-    Simulation simulation(scene_with({"target.plies.count=2", inclined}), comm);
+    Simulation simulation(scene_with({"target.plies.count=2", inclined, "contact.projectile.friction=0.3"}),
+                          comm);
     const auto& nodes = simulation.model().nodes;
     const auto& projectile = *simulation.model().projectile;
     const auto angular = [&] {
@@ -42,7 +44,7 @@ TEST(TurningProjectile, KeepsTheAngularMomentumOfTargetAndProjectile) {
     const Vec3 before = angular(), alone = projectile.angular_momentum();
     const double quantum = simulation.model().assembly.scale().quantum(), lever = std::sqrt(2.0) * 14e-3;
     const double moment = static_cast<double>(simulation.model().global.elements) * std::sqrt(3.0) * quantum *
-                          lever * (3 + 9 * 7 * 2);
+                          lever * (3 + 9 * 7 * 2 + 7);
     double tolerance = 0;
     while (simulation.time() < 60e-6) {
         tolerance += moment * simulation.time_step() + 10 * u * rounded();
@@ -66,6 +68,24 @@ TEST(TurningProjectile, ClosesTheEnergyLedger) {
         simulation.integrate();
     }
     EXPECT_LT(largest, 2e-3);
+}
+
+// Friction on the nose slows the spin down.
+TEST(TurningProjectile, LosesSpinToFriction) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const std::string spinning =
+        "projectile={shape: cylinder, diameter: 5 mm, edge_radius: 0.3 mm, length: 7 mm, mass: 0.9 g, "
+        "velocity: [0, 0, 200 m/s], spin: 300000 rpm}";
+    const auto spin_after = [&](const std::vector<std::string>& overrides) {
+        auto all = overrides;
+        all.insert(all.end(), {"target.plies.count=2", spinning});
+        Simulation simulation(scene_with(all), comm);
+        while (simulation.time() < 20e-6) advance(simulation, 1);
+        return simulation.model().projectile->angular_velocity().z();
+    };
+    const double before = 300000 * 2 * std::numbers::pi / 60, without = spin_after({});
+    EXPECT_NEAR(without, before, 1e-3 * before);
+    EXPECT_LT(spin_after({"contact.projectile.friction=0.3"}), 0.999 * without);
 }
 
 TEST(TurningProjectile, KeepsItsAttitudeWhereItsRotationIsFixed) {

@@ -27,6 +27,10 @@ SAME = {
     ),
     "limit never reached": ([], ["limits.energy_error=90 %"]),
     "frames and fields": ([], ["output.interval=0", "output.fields=[crimp]"]),
+    "contact friction of zero": (
+        [],
+        ["contact.projectile.friction=0", "contact.plies.friction={static: 0, stiffness_ratio: 2}"],
+    ),
     "yarns that never pack": ([f"{FABRIC}.lateral="], []),
 }
 # And each of these does act, so that the comparison could fail.
@@ -36,6 +40,8 @@ DIFFERENT = [
     f"{FABRIC}.elastic.viscosity=0",
     "damping=",
     "contact.plies=",
+    "contact.plies.friction=0.2",
+    "contact.projectile.friction=0.2",
 ]
 
 

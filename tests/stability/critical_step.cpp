@@ -228,6 +228,24 @@ std::vector<std::string> pressed_plies(const std::string& count) {
             "target.size=[2 mm, 2 mm]"};
 }
 
+/// Points that stick, with a tangential stiffness beyond that of unloading: it alone sets the bound.
+std::vector<std::string> sticking_plies(const std::string& count) {
+    return joined(pressed_plies(count),
+                  {"contact.plies.friction={static: 10, kinetic: 0, stiffness_ratio: 30}"});
+}
+
+/// Points that slip under a shear of the stack, see press_and_slide.
+std::vector<std::string> slipping_plies(const std::string& count) {
+    return joined(pressed_plies(count), {"contact.plies.friction=0.3"});
+}
+
+/// A stack is pressed together and sheared, so that each ply slides along x over the next one.
+Path press_and_slide(double share, double way) {
+    return [=](double time, const Vec3& x) {
+        return Vec3(x.x() + time * way * x.z() / 0.25e-3, x.y(), x.z() * pressed_height(time, share));
+    };
+}
+
 const std::vector<std::string> on_projectile{
     straight, "target.size=[2 mm, 2 mm]", "contact.projectile={damping: 0}",
     "projectile={shape: cylinder, diameter: 8 mm, mass: 1000000 kg, velocity: [0, 0, 1 m/s]}"};
@@ -250,6 +268,13 @@ INSTANTIATE_TEST_SUITE_P(
         Named{"pressed, 2 plies", pressed_plies("2"), press(0.1), 0.98},
         Named{"pressed, 3 plies", pressed_plies("3"), press(0.1), 0.98},
         Named{"pressed, 8 plies", pressed_plies("8"), press(0.1), 0.98},
+        Named{"sticking, 2 plies", sticking_plies("2"), press(0.1), 0.98},
+        Named{"sticking, 3 plies", sticking_plies("3"), press(0.1), 0.98},
+        Named{"slipping, 3 plies", slipping_plies("3"), press_and_slide(0.1, 20e-6), 0.9},
+        Named{"sticking to the projectile",
+              joined(on_projectile,
+                     {"contact.projectile.friction={static: 10, kinetic: 0, stiffness_ratio: 30}"}),
+              press_onto_nose(20e-6), 0.98},
         Named{"on the projectile", on_projectile, press_onto_nose(20e-6), 0.98}),
     [](const auto& state) {
         std::string name;
@@ -301,8 +326,8 @@ TEST(CriticalStepOfWaves, IsBoundedFromBelow) {
         sum += bound / limit, ++count;
     }
     for (unsigned seed = 10; seed < 14; ++seed) {
-        const auto stack =
-            joined(pressed_plies("3"), {seed % 2 == 0 ? half_crimp : straight, "target.size=[4 mm, 4 mm]"});
+        const auto stack = joined(seed < 12 ? pressed_plies("3") : sticking_plies("3"),
+                                  {seed % 2 == 0 ? half_crimp : straight, "target.size=[4 mm, 4 mm]"});
         const auto [bound, limit] = State(stack, waves(seed, 0.02, 0.1 * (seed - 9), 0.1), comm).time_steps();
         EXPECT_LE(bound / limit, 1 + too_long) << seed;
         std::printf("waves of 3 plies %2u      ratio %.3f\n", seed, bound / limit);

@@ -72,6 +72,18 @@ void warn_of_soft_frame(const Shot& shot, Phrases& found) {
                         text_of(fabric.contact_thickness, units.length)));
 }
 
+// Coefficients of friction of dry fabrics are some tenths.
+void warn_of_large_friction(const scene::Scene& scene, Phrases& found) {
+    const auto check = [&](const char* key, const scene::ContactLaw& law) {
+        if (!law.friction || law.friction->static_coefficient <= 1) return;
+        found.push_back(fmt::format("contact.{}.friction is {:.4g}: coefficients of fabric are some tenths",
+                                    key, law.friction->static_coefficient));
+    };
+    if (scene.contact.projectile) check("projectile", *scene.contact.projectile);
+    if (scene.contact.plies) check("plies", *scene.contact.plies);
+    check("frame", scene.contact.frame);
+}
+
 /// Length of the interval of grid lines that holds a coordinate.
 double size_at(const std::vector<double>& lines, double at) {
     const auto after = std::ranges::upper_bound(lines, at) - lines.begin();
@@ -118,6 +130,7 @@ bool warn_of_steps(const Shot& shot, Phrases& found) {
 }  // namespace
 
 void warn_of_contact(const Shot& shot, Phrases& found) {
+    warn_of_large_friction(shot.scene, found);
     if (shot.scene.projectile && shot.scene.contact.projectile && !warn_of_steps(shot, found)) {
         if (has_plausible_weight(shot.struck())) warn_of_soft_contact(shot, found);
         warn_of_coarse_contact(shot, found);

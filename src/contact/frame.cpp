@@ -6,35 +6,39 @@
 namespace weavefront::contact {
 
 FrameShape::FrameShape(const scene::Frame& frame, double top, double offset)
-    : half_opening_(frame.half_opening), top_(top - offset), edge_(frame.edge_radius + offset) {
-    for (auto& half : half_opening_)
-        if (half) *half -= offset;
+    : half_opening_(frame.half_opening),
+      radius_(frame.radius),
+      top_(top - offset),
+      edge_(frame.edge_radius + offset) {
+    for (auto* half : {&half_opening_[0], &half_opening_[1], &radius_})
+        if (*half) **half -= offset;
 }
 
-std::optional<body::Depth> FrameShape::depth_in_bar(const Vec3& point, int axis, double outward) const {
-    const auto& half = half_opening_[static_cast<std::size_t>(axis)];
+Vec3 FrameShape::away_from_axis(const Vec3& point) {
+    const double distance = std::sqrt(point.x() * point.x() + point.y() * point.y());
+    return distance > 0 ? Vec3(point.x() / distance, point.y() / distance, 0) : Vec3(Vec3::UnitX());
+}
+
+std::optional<body::Depth> FrameShape::depth_in_bar(const Vec3& point, const Vec3& outward) const {
+    const auto& half = radius_ ? radius_ : half_opening_[outward.x() != 0 ? 0 : 1];
     if (!half) return std::nullopt;
-    const double below_top = point.z() - top_, behind_side = outward * point[axis] - *half;
+    const double below_top = point.z() - top_, behind_side = outward.dot(point) - *half;
     if (below_top <= 0 || behind_side <= 0) return std::nullopt;
-    body::Depth found{std::min(below_top, behind_side), Vec3::Zero()};
-    const double into_x = edge_ - behind_side, into_z = edge_ - below_top;
-    if (into_x > 0 && into_z > 0) {
-        const double distance = std::sqrt(into_x * into_x + into_z * into_z);
-        found.depth = edge_ - distance;
-        found.normal[axis] = -outward * into_x / distance;
-        found.normal.z() = -into_z / distance;
-    } else if (behind_side < below_top) {
-        found.normal[axis] = -outward;
-    } else {
-        found.normal.z() = -1;
+    const Vec3 inward = Vec3::Zero() - outward, up = -Vec3::UnitZ();
+    body::Depth found{std::min(below_top, behind_side), behind_side < below_top ? inward : up};
+    const double into_side = edge_ - behind_side, into_top = edge_ - below_top;
+    if (into_side > 0 && into_top > 0) {
+        const double distance = std::sqrt(into_side * into_side + into_top * into_top);
+        found = {edge_ - distance, into_side / distance * inward + into_top / distance * up};
     }
     return found.depth > 0 ? std::optional(found) : std::nullopt;
 }
 
 std::optional<body::Depth> FrameShape::depth(const Vec3& point) const {
+    if (radius_) return depth_in_bar(point, away_from_axis(point));
     std::optional<body::Depth> deepest;
-    for (int axis = 0; axis < 2; ++axis) {
-        const auto found = depth_in_bar(point, axis, point[axis] < 0 ? -1 : 1);
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        const auto found = depth_in_bar(point, (point[axis] < 0 ? -1 : 1) * Vec3::Unit(axis));
         if (found && (!deepest || found->depth > deepest->depth)) deepest = found;
     }
     return deepest;
@@ -42,11 +46,13 @@ std::optional<body::Depth> FrameShape::depth(const Vec3& point) const {
 
 bool FrameShape::may_touch(const Vec3& low, const Vec3& high) const {
     if (high.z() <= top_) return false;
-    for (int axis = 0; axis < 2; ++axis) {
-        const auto& half = half_opening_[static_cast<std::size_t>(axis)];
-        if (half && std::max(high[axis], -low[axis]) > *half) return true;
+    std::array<double, 2> farthest;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        farthest[axis] = std::max(high[i], -low[i]);
+        if (half_opening_[axis] && farthest[axis] > *half_opening_[axis]) return true;
     }
-    return false;
+    return radius_ && farthest[0] * farthest[0] + farthest[1] * farthest[1] > *radius_ * *radius_;
 }
 
 }  // namespace weavefront::contact

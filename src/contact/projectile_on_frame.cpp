@@ -38,19 +38,27 @@ ProjectileOnFrame::ProjectileOnFrame(const scene::Projectile& projectile, const 
       reach_(projectile.diameter / 2 - inset_),
       law_(law, projectile.mass / area_),
       friction_(CoulombLaw::of(law)),
-      bars_{Bar{0, 1, {}, {}}, Bar{0, -1, {}, {}}, Bar{1, 1, {}, {}}, Bar{1, -1, {}, {}}} {}
+      bars_(bars_of(frame)) {}
+
+std::vector<ProjectileOnFrame::Bar> ProjectileOnFrame::bars_of(const scene::Frame& frame) {
+    if (frame.radius) return {Bar{std::nullopt}};
+    std::vector<Bar> bars;
+    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())})
+        for (const double side : {1.0, -1.0}) bars.push_back({side * axis});
+    return bars;
+}
 
 std::optional<ProjectileOnFrame::Touch> ProjectileOnFrame::deepest_in(
     const Bar& bar, const body::RigidBody& projectile) const {
     std::optional<Touch> deepest;
     const auto look = [&](const Vec3& point) {
-        const auto found = shape_.depth_in_bar(point, bar.axis, bar.outward);
+        const auto found =
+            shape_.depth_in_bar(point, bar.outward.value_or(FrameShape::away_from_axis(point)));
         if (found && (!deepest || found->depth > deepest->depth.depth)) deepest = Touch{point, *found};
     };
     if (outline_.empty()) {
-        Vec3 point = projectile.to_space({0, 0, -inset_});
-        point[bar.axis] += bar.outward * reach_;
-        look(point);
+        const Vec3 centre = projectile.to_space({0, 0, -inset_});
+        look(centre + reach_ * bar.outward.value_or(FrameShape::away_from_axis(centre)));
     }
     for (const auto& point : outline_) look(projectile.to_space(point));
     return deepest;

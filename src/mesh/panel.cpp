@@ -15,6 +15,7 @@ std::uint8_t held_by(scene::Edge edge) {
         case scene::Edge::fixed:
             return hold_x | hold_y | hold_z;
         case scene::Edge::sliding:
+        case scene::Edge::clamp:
             return hold_z;
         case scene::Edge::frame:
         case scene::Edge::free:
@@ -53,7 +54,18 @@ std::uint8_t Panel::supports(std::int64_t footprint_node) const {
     if (i == columns_x()) held |= held_by(edges[0]);
     if (j == 0) held |= symmetry[1] ? hold_y : held_by(edges[1]);
     if (j == columns_y()) held |= held_by(edges[1]);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        if (frame && frame->is_beyond(axis, x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(j)]))
+            held |= held_by(edges[axis]);
     return held;
+}
+
+std::optional<std::size_t> Panel::clamp_of(std::int64_t footprint_node) const {
+    if (!frame) return std::nullopt;
+    const Vec3 at = position(0, footprint_node);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        if (edges[axis] == scene::Edge::clamp && frame->is_beyond(axis, at.x(), at.y())) return axis;
+    return std::nullopt;
 }
 
 Panel make_panel(const scene::Scene& scene) {
@@ -71,6 +83,7 @@ Panel make_panel(const scene::Scene& scene) {
     panel.plies = target.plies;
     panel.symmetry = target.symmetry;
     panel.edges = target.edges;
+    panel.frame = target.frame;
     return panel;
 }
 

@@ -34,6 +34,13 @@ void read_shape(Section& section, Projectile& projectile);
 /// `orientation`, `spin` and the like of the projectile. @param target null when the scene has none
 void read_attitude(Section& section, Projectile& projectile, const Target* target);
 
+/// `friction` of a contact or a clamp; none where its coefficients are zero.
+/// @param otherwise its default; absent: the key is required
+std::optional<Friction> read_friction(Section& section, std::optional<double> otherwise);
+
+/// `edges` and `frame` of the target, whose size is known.
+void read_supports(Section& target_section, Target& target);
+
 /// `contact`. @param target null: there is none
 Contact read_contact(Section& section, const Target* target, const Projectile* projectile);
 

@@ -10,37 +10,12 @@ namespace {
 constexpr Range fraction{0, true, 1, " from 0 to 1"};
 constexpr Range point_spacing{0, false, unbounded, " greater than 0 or the word nodes", "'0.25 mm'"};
 
-Friction read_coefficients(Section& section) {
-    constexpr std::string_view of_static = "static", of_kinetic = "kinetic";
-    Friction friction;
-    friction.static_coefficient = section.quantity(of_static, ratio, non_negative);
-    friction.kinetic_coefficient =
-        section.quantity(of_kinetic, ratio, non_negative, friction.static_coefficient);
-    section.refuse_if(friction.kinetic_coefficient > friction.static_coefficient, of_kinetic,
-                      "at most static: sliding does not raise friction");
-    friction.stiffness_ratio =
-        section.quantity("stiffness_ratio", ratio, positive, Friction{}.stiffness_ratio);
-    return friction;
-}
-
-/// None where its coefficients are zero.
-std::optional<Friction> read_friction(Section& section) {
-    Friction friction;
-    if (section.has_map("friction")) {
-        friction = section.required("friction", read_coefficients);
-    } else {
-        friction.static_coefficient = section.quantity("friction", ratio, non_negative, 0.0);
-        friction.kinetic_coefficient = friction.static_coefficient;
-    }
-    return friction.static_coefficient == 0 ? std::nullopt : std::optional(friction);
-}
-
 ContactLaw read_law(Section& section, const ContactLaw& otherwise) {
     ContactLaw law;
     law.stiffness = section.quantity("stiffness", area_stiffness, positive, otherwise.stiffness);
     law.unloading = section.quantity("unloading", ratio, at_least_one, otherwise.unloading);
     law.damping = section.quantity("damping", ratio, fraction, otherwise.damping);
-    law.friction = read_friction(section);
+    law.friction = read_friction(section, 0.0);
     return law;
 }
 

@@ -22,38 +22,6 @@ PanelMesh read_mesh(Section& section) {
     return mesh;
 }
 
-std::array<Edge, 2> read_edges(Section& section) {
-    std::array<Edge, 2> edges{};
-    for (const auto& [name, axis] : axis_names) edges[axis] = section.choice(name, edge_names, Edge::fixed);
-    return edges;
-}
-
-// Bars stand where edges rest on the frame, and only there.
-std::optional<Frame> read_frame(Section& target, const std::array<Edge, 2>& edges,
-                                const std::array<double, 2>& size) {
-    const bool rests = edges[0] == Edge::frame || edges[1] == Edge::frame;
-    target.refuse_if(!rests && target.has("frame"), "frame",
-                     "only with an edge that rests on it, such as edges: {x: frame}");
-    if (!rests) return std::nullopt;
-    return target.required("frame", [&](Section& section) {
-        Frame frame;
-        frame.edge_radius = section.quantity("edge_radius", length, non_negative, 1e-3);
-        section.required("opening", [&](Section& opening) {
-            for (const auto& [name, axis] : axis_names) {
-                opening.refuse_if(edges[axis] != Edge::frame && opening.has(name), name,
-                                  fmt::format("only where edges.{} is frame", name));
-                if (edges[axis] != Edge::frame) continue;
-                frame.half_opening[axis] = opening.quantity(name, length, positive) / 2;
-                opening.refuse_if(*frame.half_opening[axis] >= size[axis] / 2, name,
-                                  fmt::format("less than the target's {}, which rests on both sides of it",
-                                              text_of(size[axis], opening.unit_of(name, length), 6)));
-            }
-            return frame;
-        });
-        return frame;
-    });
-}
-
 // Elements over a distance, by the sum of the geometric series of their sizes.
 double elements_over(double distance, const PanelMesh& mesh) {
     if (mesh.growth == 1 || mesh.edge == mesh.center) return distance / mesh.center;
@@ -80,8 +48,7 @@ Target read_target(Section& section, std::span<const Fabric> fabrics) {
     target.size = section.vector<2>("size", length, positive);
     for (const std::size_t axis : section.choices("symmetry", axis_names, {})) target.symmetry[axis] = true;
     target.plies = read_plies(section, fabrics, target.symmetry);
-    target.edges = section.optional("edges", read_edges).value_or(target.edges);
-    target.frame = read_frame(section, target.edges, target.size);
+    read_supports(section, target);
 
     const double half = std::min(target.size[0], target.size[1]) / 2;
     target.mesh = section.required("mesh", [&](Section& mesh_section) {

@@ -74,6 +74,17 @@ void write_fabric(std::string& text, const Fabric& f) {
     line(text, "    contact_thickness: {} m", f.contact_thickness);
 }
 
+std::string friction_text(const Friction& friction) {
+    return fmt::format("friction: {{static: {}, kinetic: {}, stiffness_ratio: {}}}",
+                       friction.static_coefficient, friction.kinetic_coefficient, friction.stiffness_ratio);
+}
+
+std::string edge_text(const Target& target, std::size_t axis) {
+    const auto& clamp = target.clamps[axis];
+    if (!clamp) return std::string(name_of(target.edges[axis], edge_names));
+    return fmt::format("{{clamp: {{pressure: {} Pa, {}}}}}", clamp->pressure, friction_text(clamp->friction));
+}
+
 void write_target(std::string& text, const Target& target, const std::vector<Fabric>& fabrics) {
     std::vector<std::string_view> symmetry;
     for (const auto& [name, axis] : axis_names) {
@@ -91,14 +102,15 @@ void write_target(std::string& text, const Target& target, const std::vector<Fab
     line(text, "  mesh: {{center: {} m, edge: {} m, growth: {}}}", target.mesh.center, target.mesh.edge,
          target.mesh.growth);
     line(text, "  symmetry: [{}]", fmt::join(symmetry, ", "));
-    line(text, "  edges: {{x: {}, y: {}}}", name_of(target.edges[0], edge_names),
-         name_of(target.edges[1], edge_names));
+    line(text, "  edges: {{x: {}, y: {}}}", edge_text(target, 0), edge_text(target, 1));
     if (target.frame) {
         std::vector<std::string> openings;
         for (const auto& [name, axis] : axis_names) {
             const auto& half = target.frame->half_opening[axis];
             if (half) openings.push_back(fmt::format("{}: {} m", name, 2 * *half));
         }
+        if (target.frame->radius)
+            openings.push_back(fmt::format("diameter: {} m", 2 * *target.frame->radius));
         line(text, "  frame: {{opening: {{{}}}, edge_radius: {} m}}", fmt::join(openings, ", "),
              target.frame->edge_radius);
     }
@@ -178,11 +190,7 @@ void write_law(std::string& text, std::string_view key, const std::optional<Cont
     if (!law) return;
     const auto& friction = law->friction;
     line(text, "  {}: {{stiffness: {} N/m^3, unloading: {}, damping: {}{}}}", key, law->stiffness,
-         law->unloading, law->damping,
-         friction ? fmt::format(", friction: {{static: {}, kinetic: {}, stiffness_ratio: {}}}",
-                                friction->static_coefficient, friction->kinetic_coefficient,
-                                friction->stiffness_ratio)
-                  : std::string());
+         law->unloading, law->damping, friction ? ", " + friction_text(*friction) : std::string());
 }
 
 void write_contact(std::string& text, const Contact& contact, bool has_frame) {

@@ -36,6 +36,7 @@ inline constexpr Dimension density{"a density", "kg/m^3", "'1440 kg/m^3'", &Mess
 inline constexpr Dimension areal_density{"an areal density", "kg/m^2", "'204 g/m^2'",
                                          &MessageUnits::areal_density};
 inline constexpr Dimension modulus{"a modulus", "Pa", "'96 GPa'", &MessageUnits::modulus};
+inline constexpr Dimension pressure{"a pressure", "Pa", "'2 MPa'"};
 inline constexpr Dimension viscosity{"a viscosity", "Pa s", "'35 MPa s'", &MessageUnits::viscosity};
 inline constexpr Dimension area_stiffness{"a stiffness per area", "N/m^3", "'5.6e12 N/m^3'",
                                           &MessageUnits::area_stiffness};

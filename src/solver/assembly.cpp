@@ -10,7 +10,7 @@ void Assembly::start(std::vector<FixedVector>& sums) {
     std::ranges::fill(sums, FixedVector{});
     faulty_element_ = -1;
     faulty_contacts_.clear();
-    faulty_moment_ = false;
+    faulty_moment_ = faulty_force_ = false;
 }
 
 void Assembly::add_lane(const std::array<std::int32_t, 4>& nodes, std::span<const double> forces,
@@ -110,6 +110,16 @@ void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>
         for (std::size_t d = 0; d < 3; ++d) on_projectile[d] += opposite[d];
     else if (pair.kind == contact::Master::facet)
         distribute(pair.master, pair.on_master, opposite, sums);
+}
+
+void Assembly::add_force(const Vec3& force, FixedVector& sum) {
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double component = force[static_cast<Eigen::Index>(d)];
+        if (scale_.fits(component))
+            sum[d] += scale_.from(component);
+        else
+            faulty_force_ = true;
+    }
 }
 
 void Assembly::add_moment(const Vec3& moment, FixedVector& sum) {

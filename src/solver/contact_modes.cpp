@@ -45,6 +45,19 @@ ContactModes modes_of(const scene::ContactLaw& law, double springs, double mass,
     return modes_of(law, {springs, springs}, mass, reduced);
 }
 
+/// Plies that stick to each other and to both jaws: a chain of n masses between walls, whose highest mode has
+/// 2 + 2 cos(pi/(n + 1)) springs over one mass. 1/s2 @param lightest ply, kg/m2
+double clamp_mode(const scene::Scene& scene, double lightest) {
+    const auto plies = static_cast<double>(scene.target->plies.size());
+    double highest = 0;
+    for (const auto& clamp : scene.target->clamps)
+        if (clamp)
+            highest = std::max(highest, 2 * (1 + scene::cosine(std::numbers::pi / (plies + 1))) *
+                                            clamp->friction.stiffness_ratio * scene.contact.frame.stiffness /
+                                            lightest);
+    return highest;
+}
+
 }  // namespace
 
 ContactModes contact_modes(const scene::Scene& scene) {
@@ -72,6 +85,7 @@ ContactModes contact_modes(const scene::Scene& scene) {
         if (counts && scene.target->frame) add(modes_of(*scene.contact.projectile, {1, point}, mass, mass));
     }
     if (scene.target->frame) add(modes_of(scene.contact.frame, 1, lightest, lightest));
+    sum.tangential += clamp_mode(scene, lightest);
     return sum;
 }
 

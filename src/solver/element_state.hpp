@@ -25,12 +25,13 @@ void visit_element(Archive& archive, Model& model, std::int32_t element) {
         archive.within("frame_contact", [&] { model.frame_contact->state(archive, element); });
 }
 
-/// Position and velocity of a local node.
+/// Position and velocity of a local node, and its friction in a clamp.
 template <class Archive>
 void visit_node(Archive& archive, Model& model, std::size_t node) {
     auto &x = model.nodes.x[node], &v = model.nodes.v[node];
     archive("x", x[0]), archive("y", x[1]), archive("z", x[2]);
     archive("vx", v[0]), archive("vy", v[1]), archive("vz", v[2]);
+    if (model.clamp_friction) model.clamp_friction->state(archive, node);
 }
 
 }  // namespace weavefront::solver

@@ -134,6 +134,23 @@ double largest_force(const scene::Scene& scene) {
     return largest;
 }
 
+/// Friction of the nodes of a part in clamps. @pre mass and part of the model are there
+void build_clamps(const scene::Scene& scene, const mesh::Panel& panel, const mesh::Part& part, Model& model) {
+    const auto& clamps = scene.target->clamps;
+    if (!clamps[0] && !clamps[1]) return;
+    const auto plies = panel.plies.size(), of_ply = part.node_ids.size() / plies;
+    std::vector<contact::ClampFriction::Column> columns;
+    for (std::size_t n = 0; n < of_ply; ++n) {
+        const auto clamp = panel.clamp_of(part.node_ids[n]);
+        if (!clamp) continue;
+        contact::ClampFriction::Column column{n, *clamp, {}};
+        for (std::size_t p = 0; p < plies; ++p)
+            column.area.push_back(model.nodes.mass[n + p * of_ply] / model.surface.plies[p].areal_density);
+        columns.push_back(std::move(column));
+    }
+    model.clamp_friction.emplace(clamps, scene.contact.frame.stiffness, std::move(columns), of_ply, plies);
+}
+
 Vec3 vector_of(const std::array<double, 3>& components) {
     return {components[0], components[1], components[2]};
 }
@@ -224,6 +241,7 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel,
     if (scene.target->frame)
         model.frame_contact.emplace(*scene.target->frame, scene.contact.frame, scene.contact.spacing,
                                     model.surface, model.nodes.x);
+    build_clamps(scene, panel, part, model);
     if (scene.target->frame && scene.projectile && scene.contact.projectile) {
         const auto& last = model.surface.plies.back();
         model.projectile_on_frame.emplace(*scene.projectile, *scene.target->frame, *scene.contact.projectile,

@@ -206,6 +206,7 @@ void Simulation::evaluate_contact() {
             model_.assembly.add_pair(pair, model_.nodes.force, agreement_.projectile_force);
     for (const auto* moments : {&contact_.moments, &contact_.friction_moments})
         for (const auto& moment : *moments) model_.assembly.add_moment(moment, agreement_.projectile_moment);
+    add_clamp_forces();
     if (model_.projectile_on_frame) {
         const auto of_whole = model_.projectile_on_frame->evaluate(*model_.projectile, clock_.last_dt);
         from_frame_ = {without_mirrored(of_whole.pressure), without_mirrored(of_whole.friction)};
@@ -213,6 +214,14 @@ void Simulation::evaluate_contact() {
     add_half_step_contact_work(clock_.last_dt);
     contact_.deepest.time = clock_.time;
     counts_.deepest.include(contact_.deepest);
+}
+
+/// A node counts on the rank that owns it.
+void Simulation::add_clamp_forces() {
+    if (!model_.clamp_friction) return;
+    model_.clamp_friction->evaluate(model_.nodes.v, clock_.last_dt);
+    for (const auto& [node, force] : model_.clamp_friction->forces())
+        if (model_.nodes.owned[node]) model_.assembly.add_force(force, model_.nodes.force[node]);
 }
 
 void Simulation::book_sliding(ContactKind kind) {
@@ -229,6 +238,10 @@ void Simulation::add_half_step_contact_work(double dt) {
     if (ledger_.has_contact_friction)
         add_contact_work(ledger_.contact_friction, contact_.friction, contact_.friction_moments,
                          from_frame_.friction, dt);
+    if (!model_.clamp_friction) return;
+    for (const auto& [node, force] : model_.clamp_friction->forces())
+        if (model_.nodes.owned[node])
+            ledger_.add(ledger_.contact_friction, -force.dot(model_.nodes.v[node]) * dt / 2);
 }
 
 void Simulation::add_contact_work(std::int64_t& taken, std::span<const contact::PairForce> pairs,

@@ -8,7 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "element_state.hpp"
 #include "small_scene.hpp"
+#include "weavefront/state/table.hpp"
 
 namespace weavefront::solver::test {
 namespace {
@@ -31,6 +33,12 @@ const std::vector<std::string> with_friction = [] {
         overrides.emplace_back(friction);
     return overrides;
 }();
+
+/// Two plies that slip between the jaws of a round clamp.
+const std::vector<std::string> clamped{"target.plies.count=2", "target.mesh.center=1 mm",
+                                       "target.frame={opening: {diameter: 16 mm}}",
+                                       "target.edges={x: {clamp: {pressure: 2 MPa, friction: 0.2}}, y: "
+                                       "{clamp: {pressure: 2 MPa, friction: 0.2}}}"};
 
 /// A projectile that comes down on the frame and rubs on it.
 const std::vector<std::string> onto_the_frame_with_friction = [] {
@@ -94,22 +102,24 @@ TEST(Redistribution, LeavesNoTraceInContactFriction) {
     EXPECT_GT(*end.contact_friction, 1e-3 * end.contact);
 }
 
+TEST(Redistribution, LeavesNoTraceInAClampThatSlips) {
+    const auto end = expect_no_trace(clamped, 600);
+    EXPECT_GT(*end.contact_friction, 1e-3);  // J
+}
+
 TEST(Redistribution, LeavesNoTraceInTheTimeStepOfSlackYarns) {
     const auto end = expect_no_trace(slack, 400);
     EXPECT_LT(end.projectile_velocity.z(), 140);
 }
 
-/// Positions and velocities of all nodes that a rank holds, as `restore` takes them.
-state::Table nodes_of(const Simulation& simulation) {
-    const auto& nodes = simulation.model().nodes;
-    state::Table table{nodes.ids, {}};
-    const std::vector<std::int32_t> counts(nodes.ids.size(), 1);
-    for (Eigen::Index d = 0; d < 3; ++d)
-        for (const auto& [prefix, vectors] : {std::pair("", &nodes.x), std::pair("v", &nodes.v)}) {
-            state::Column column{prefix + std::string(1, "xyz"[d]), counts, {}};
-            for (std::size_t n = 0; n < nodes.ids.size(); ++n) column.values.push_back((*vectors)[n][d]);
-            table.columns.push_back(std::move(column));
-        }
+/// State of all nodes that a rank holds, as `restore` takes them.
+state::Table nodes_of(Simulation& simulation) {
+    state::Table table{simulation.model().nodes.ids, {}};
+    state::ColumnWriter archive(table);
+    for (std::size_t n = 0; n < table.ids.size(); ++n) {
+        archive.start(n);
+        visit_node(archive, simulation.model(), n);
+    }
     return table;
 }
 
@@ -180,7 +190,8 @@ TEST(SavedState, IsAllThatARunDependsOn) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     for (const auto& [overrides, before] :
          {std::pair(&perforated, 300), std::pair(&slack, 300), std::pair(&onto_the_frame, 60),
-          std::pair(&with_friction, 300), std::pair(&onto_the_frame_with_friction, 60)}) {
+          std::pair(&with_friction, 300), std::pair(&onto_the_frame_with_friction, 60),
+          std::pair(&clamped, 600)}) {
         const auto scene = scene_with(*overrides);
         Simulation whole(scene, comm);
         for (int n = 0; n < before; ++n) whole.advance_forces(), whole.integrate();

@@ -228,7 +228,8 @@ std::vector<std::string> pressed_plies(const std::string& count) {
             "target.size=[2 mm, 2 mm]"};
 }
 
-/// Points that stick, with a tangential stiffness beyond that of unloading: it alone sets the bound.
+/// Points that stick, with a tangential stiffness beyond that of unloading. Their springs resist short waves
+/// of the fabric less than uniform motion. So fabric and springs do not reach both their bounds in one mode.
 std::vector<std::string> sticking_plies(const std::string& count) {
     return joined(pressed_plies(count),
                   {"contact.plies.friction={static: 10, kinetic: 0, stiffness_ratio: 30}"});
@@ -268,13 +269,13 @@ INSTANTIATE_TEST_SUITE_P(
         Named{"pressed, 2 plies", pressed_plies("2"), press(0.1), 0.98},
         Named{"pressed, 3 plies", pressed_plies("3"), press(0.1), 0.98},
         Named{"pressed, 8 plies", pressed_plies("8"), press(0.1), 0.98},
-        Named{"sticking, 2 plies", sticking_plies("2"), press(0.1), 0.98},
-        Named{"sticking, 3 plies", sticking_plies("3"), press(0.1), 0.98},
+        Named{"sticking, 2 plies", sticking_plies("2"), press(0.1), 0.95},
+        Named{"sticking, 3 plies", sticking_plies("3"), press(0.1), 0.95},
         Named{"slipping, 3 plies", slipping_plies("3"), press_and_slide(0.1, 20e-6), 0.9},
         Named{"sticking to the projectile",
               joined(on_projectile,
                      {"contact.projectile.friction={static: 10, kinetic: 0, stiffness_ratio: 30}"}),
-              press_onto_nose(20e-6), 0.98},
+              press_onto_nose(20e-6), 0.85},
         Named{"on the projectile", on_projectile, press_onto_nose(20e-6), 0.98}),
     [](const auto& state) {
         std::string name;

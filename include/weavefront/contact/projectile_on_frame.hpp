@@ -2,7 +2,6 @@
 /// @file
 /// Contact between the projectile and the frame, two rigid bodies.
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,10 +37,10 @@ class ProjectileOnFrame {
     /// @param dt the last step, s
     [[nodiscard]] FromFrame evaluate(const body::RigidBody& projectile, double dt);
 
-    /// Penetrations of the four bars, one after the other; with friction their tractions, too.
+    /// Penetrations of the bars, one after the other; with friction their tractions, too.
     template <class Archive>
     void state(Archive& archive, std::string_view name) {
-        std::array<double, 3 * 4> all;
+        std::vector<double> all(3 * bars_.size());
         for (std::size_t b = 0; b < bars_.size(); ++b) {
             const auto& [overlap, ignored, opened] = bars_[b].penetration;
             all[3 * b] = overlap, all[3 * b + 1] = ignored, all[3 * b + 2] = opened;
@@ -54,22 +53,22 @@ class ProjectileOnFrame {
 
   private:
     struct Bar {
-        int axis;        ///< direction of the opening that the bar limits
-        double outward;  ///< 1 or -1: the side of the opening on which the bar stands
-        Penetration penetration;
-        TangentialTraction traction;
+        std::optional<Vec3> outward;  ///< from the opening into the bar; none: a ring
+        Penetration penetration = {};
+        TangentialTraction traction = {};
     };
     /// A point of the projectile in a bar.
     struct Touch {
         Vec3 point;  ///< m
         body::Depth depth;
     };
+    [[nodiscard]] static std::vector<Bar> bars_of(const scene::Frame& frame);
     /// The deepest point of the projectile in a bar; none outside.
     [[nodiscard]] std::optional<Touch> deepest_in(const Bar& bar, const body::RigidBody& projectile) const;
 
     template <class Archive>
     void friction_state(Archive& archive, const std::string& name) {
-        std::array<double, 4 * 4> all;
+        std::vector<double> all(4 * bars_.size());
         for (std::size_t b = 0; b < bars_.size(); ++b) {
             const auto& [traction, slips] = bars_[b].traction;
             all[4 * b] = traction.x(), all[4 * b + 1] = traction.y(), all[4 * b + 2] = traction.z();
@@ -88,7 +87,7 @@ class ProjectileOnFrame {
     double reach_;  ///< distance of the edge's centre line from the axis, m
     PenaltyLaw law_;
     std::optional<CoulombLaw> friction_;
-    std::array<Bar, 4> bars_;
+    std::vector<Bar> bars_;
 };
 
 }  // namespace weavefront::contact

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "weavefront/mesh/vec3.hpp"
@@ -22,6 +23,7 @@ struct Panel {
     std::vector<scene::Ply> plies;   ///< struck side first
     std::array<bool, 2> symmetry{};  ///< whether the first line of x (y) is a plane of symmetry
     std::array<scene::Edge, 2> edges{};
+    std::optional<scene::Frame> frame;  ///< beyond whose opening the fabric is held as its edges are
 
     /// Number of columns along x.
     [[nodiscard]] std::int64_t columns_x() const { return static_cast<std::int64_t>(x.size()) - 1; }
@@ -46,6 +48,10 @@ struct Panel {
 
     /// Directions in which a footprint node cannot move: bit 0 x, bit 1 y, bit 2 z.
     [[nodiscard]] std::uint8_t supports(std::int64_t footprint_node) const;
+
+    /// The direction, 0 x or 1 y, of the edge that is a clamp and holds a footprint node; none outside of
+    /// clamps.
+    [[nodiscard]] std::optional<std::size_t> clamp_of(std::int64_t footprint_node) const;
 
     /// Copies of the modelled part in the whole target: 1, 2 or 4.
     [[nodiscard]] int multiplicity() const { return (symmetry[0] ? 2 : 1) * (symmetry[1] ? 2 : 1); }

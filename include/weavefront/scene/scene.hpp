@@ -24,8 +24,8 @@ enum class Formulation { consistent, paper };
 enum class Erode { both_yarns, any_yarn };
 
 /// How an edge of the target is held. `fixed`: no displacement; `sliding`: held in z only; `frame`: rests on
-/// the frame; `free`: not held.
-enum class Edge { fixed, sliding, frame, free };
+/// the frame; `free`: not held; `clamp`: pressed between jaws, held in z, slips against friction.
+enum class Edge { fixed, sliding, frame, free, clamp };
 
 /// Yarn geometry of the plain weave.
 struct Yarn {
@@ -163,11 +163,36 @@ struct PanelMesh {
     double growth = 1;  ///< 1
 };
 
-/// Rigid frame behind the last ply: bars along the edges that rest on it. Without friction.
+/// Coulomb friction of a contact.
+struct Friction {
+    double static_coefficient = 0, kinetic_coefficient = 0;  ///< kinetic <= static
+    double stiffness_ratio = 0.8;  ///< tangential stiffness while sticking over `ContactLaw::stiffness`
+
+    friend bool operator==(const Friction&, const Friction&) = default;
+};
+
+/// Jaws that press the fabric beyond the opening of the frame.
+struct Clamp {
+    double pressure = 0;  ///< Pa
+    Friction friction;    ///< of ply on jaw and of ply on ply in the clamp
+
+    friend bool operator==(const Clamp&, const Clamp&) = default;
+};
+
+/// Rigid frame behind the last ply, with a rectangular or a round opening. Beyond the opening, the fabric is
+/// held as its edges are.
 struct Frame {
     /// Half the distance between the bars across x, y, m; absent: no bars there.
     std::array<std::optional<double>, 2> half_opening{};
-    double edge_radius = 0;  ///< of the bars at the opening, m
+    std::optional<double> radius = {};  ///< of a round opening, m; there are no straight bars then
+    double edge_radius = 0;             ///< where the frame meets the opening, m
+
+    /// Whether a place lies beyond the opening. @param axis 0, 1: across x, y; a round opening has no axes
+    [[nodiscard]] bool is_beyond(std::size_t axis, double x, double y) const {
+        if (radius) return std::sqrt(x * x + y * y) > *radius;
+        const auto& half = half_opening[axis];
+        return half && std::abs(axis == 0 ? x : y) > *half;
+    }
 };
 
 /// Rectangular target of any number of plies, centred on the origin of x and y.
@@ -177,7 +202,8 @@ struct Target {
     PanelMesh mesh;
     std::array<bool, 2> symmetry{};  ///< {x, y}: only the half x >= 0 (y >= 0) is modelled
     std::array<Edge, 2> edges{Edge::fixed, Edge::fixed};  ///< of the edges whose normal is x, y
-    std::optional<Frame> frame;                           ///< there when an edge rests on it
+    std::optional<Frame> frame;                           ///< required by edges that are `frame` or `clamp`
+    std::array<std::optional<Clamp>, 2> clamps{};         ///< of the edges that are `clamp`
 };
 
 /// Shapes of the projectile. `profile`: any body of revolution; `mesh`: any closed surface of triangles.
@@ -235,12 +261,6 @@ struct Projectile {
     Triangles triangles{};                         ///< of a mesh
 };
 
-/// Coulomb friction of a contact.
-struct Friction {
-    double static_coefficient = 0, kinetic_coefficient = 0;  ///< kinetic <= static
-    double stiffness_ratio = 0.8;  ///< tangential stiffness while sticking over `ContactLaw::stiffness`
-};
-
 /// Penalty contact with hysteresis; stiffness per area is a property of the fabric.
 struct ContactLaw {
     double stiffness = 0;                   ///< pressure per penetration while loading, Pa/m
@@ -294,8 +314,9 @@ struct Scene {
     [[nodiscard]] bool has_contact_friction() const {
         const bool of_projectile = projectile && contact.projectile && contact.projectile->friction,
                    of_plies = target && target->plies.size() > 1 && contact.plies && contact.plies->friction,
-                   of_frame = target && target->frame && contact.frame.friction;
-        return of_projectile || of_plies || of_frame;
+                   of_frame = target && target->frame && contact.frame.friction,
+                   of_clamp = target && (target->clamps[0] || target->clamps[1]);
+        return of_projectile || of_plies || of_frame || of_clamp;
     }
 };
 

@@ -33,10 +33,15 @@ class Assembly {
     /// A pair in contact; what it exerts on the projectile is added to `on_projectile`.
     void add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums, FixedVector& on_projectile);
 
+    /// A force on one node, N. One that is out of range makes the contact faulty.
+    void add_force(const Vec3& force, FixedVector& sum);
+
     /// The lowest local element whose force was not finite or out of range since `start`, or -1.
     [[nodiscard]] std::int32_t faulty_element() const { return faulty_element_; }
     /// True when a contact force, or its moment on the projectile, was not finite or out of range.
-    [[nodiscard]] bool faulty_contact() const { return !faulty_contacts_.empty() || faulty_moment_; }
+    [[nodiscard]] bool faulty_contact() const {
+        return !faulty_contacts_.empty() || faulty_moment_ || faulty_force_;
+    }
     /// Nodes of the slaves of these forces.
     [[nodiscard]] const std::vector<std::array<std::int32_t, 4>>& faulty_contacts() const {
         return faulty_contacts_;
@@ -62,7 +67,7 @@ class Assembly {
                     const FixedVector& total, std::vector<FixedVector>& sums) const;
 
     parallel::FixedPoint scale_, moment_scale_;
-    bool faulty_moment_ = false;
+    bool faulty_moment_ = false, faulty_force_ = false;
     std::int32_t faulty_element_ = -1;
     std::vector<std::array<std::int32_t, 4>> faulty_contacts_;
 };

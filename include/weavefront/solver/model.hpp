@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "weavefront/body/rigid_body.hpp"
+#include "weavefront/contact/clamp_friction.hpp"
 #include "weavefront/contact/frame_contact.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/ply_contact.hpp"
@@ -51,6 +52,7 @@ struct Model {
     std::optional<contact::ProjectileContact> projectile_contact;
     std::optional<contact::PlyContact> ply_contact;
     std::optional<contact::FrameContact> frame_contact;
+    std::optional<contact::ClampFriction> clamp_friction;
     std::optional<contact::ProjectileOnFrame> projectile_on_frame;
     /// What results show of owned elements that are eroded, as it was when that happened: their strains go on
     /// growing with their nodes.

@@ -127,6 +127,7 @@ class Simulation {
   private:
     void advance_elements();
     void evaluate_contact();
+    void add_clamp_forces();
     void sum_forces_and_agree();
     void apply_agreement();
     void follow_model();

@@ -82,6 +82,11 @@ void warn_of_large_friction(const scene::Scene& scene, Phrases& found) {
     if (scene.contact.projectile) check("projectile", *scene.contact.projectile);
     if (scene.contact.plies) check("plies", *scene.contact.plies);
     check("frame", scene.contact.frame);
+    for (const auto& clamp : scene.target->clamps)
+        if (clamp && clamp->friction.static_coefficient > 1)
+            found.push_back(
+                fmt::format("friction in a clamp is {:.4g}: coefficients of fabric are some tenths",
+                            clamp->friction.static_coefficient));
 }
 
 /// Length of the interval of grid lines that holds a coordinate.

@@ -94,6 +94,13 @@ void warn_of_bars(const Shot& shot, const scene::Projectile& projectile, Phrases
                 "at {} = {}, the opening ends at {}",
                 length(projectile.diameter), d == 0 ? "x" : "y", length(place[d]), length(*half)));
     }
+    if (!frame.radius || 2 * *frame.radius < projectile.diameter) return;
+    const double from_axis = std::sqrt(place[0] * place[0] + place[1] * place[1]);
+    if (from_axis + projectile.diameter / 2 > *frame.radius)
+        found.push_back(fmt::format(
+            "on its way the projectile meets the ring of the frame: it is {} wide and would pass {} from its "
+            "axis, the opening ends at {}",
+            length(projectile.diameter), length(from_axis), length(*frame.radius)));
 }
 
 }  // namespace

@@ -51,6 +51,7 @@ void warn_of_plies(const Shot& shot, Phrases& found) {
 void warn_of_frame(const Shot& shot, Phrases& found) {
     const auto& frame = *shot.scene.target->frame;
     const auto length = [&](double value) { return text_of(value, shot.scene.units.length); };
+    const double across = shot.scene.projectile ? shot.scene.projectile->diameter : 0;
     for (std::size_t d = 0; d < 2; ++d) {
         const auto& half = frame.half_opening[d];
         if (!half) continue;
@@ -60,12 +61,15 @@ void warn_of_frame(const Shot& shot, Phrases& found) {
                 fmt::format("the bars of the frame are rounded with {} along {}, where the fabric lies on {} "
                             "of them: nowhere flat",
                             length(frame.edge_radius), d == 0 ? "x" : "y", length(bar)));
-        const double across = shot.scene.projectile ? shot.scene.projectile->diameter : 0;
         if (2 * *half < across)
             found.push_back(
                 fmt::format("the frame's opening is {} along {}, less than the {} of the projectile",
                             length(2 * *half), d == 0 ? "x" : "y", length(across)));
     }
+    if (frame.radius && 2 * *frame.radius < across)
+        found.push_back(
+            fmt::format("the frame's opening is {} in diameter, less than the {} of the projectile",
+                        length(2 * *frame.radius), length(across)));
 }
 
 }  // namespace

@@ -63,6 +63,30 @@ TEST(FrameShape, DepthIsContinuousAndItsGradientIsTheNormal) {
     EXPECT_GT(inside, 2000);
 }
 
+TEST(FrameShape, OfARoundOpeningIsThatOfABarInEveryDirection) {
+    const scene::Frame ring{.radius = half, .edge_radius = radius};
+    const contact::FrameShape round(ring, top, 0.07e-3), straight(bars_across_y, top, 0.07e-3);
+    std::mt19937_64 random(1);
+    int inside = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const double out = uniform(random, half - 0.2e-3, half + 3e-3),
+                     z = uniform(random, top - 0.2e-3, top + 2e-3), angle = uniform(random, 0, 6.28);
+        const Vec3 outward(std::cos(angle), std::sin(angle), 0);
+        const Vec3 point = out * outward + z * Vec3::UnitZ();
+        const auto found = round.depth(point), expected = straight.depth({0, out, z});
+        ASSERT_EQ(found.has_value(), expected.has_value());
+        EXPECT_TRUE(!found || round.may_touch(point, point));
+        if (!found) continue;
+        ++inside;
+        EXPECT_NEAR(found->depth, expected->depth, 1e-15);
+        EXPECT_NEAR(found->normal.dot(outward), expected->normal.y(), 1e-12);
+        EXPECT_NEAR(found->normal.z(), expected->normal.z(), 1e-12);
+    }
+    EXPECT_GT(inside, 500);
+    EXPECT_FALSE(round.depth({0, 0, 2 * top})) << "the middle of the opening";
+    EXPECT_FALSE(round.may_touch({-7e-3, -7e-3, top}, {7e-3, 7e-3, 2 * top}));
+}
+
 TEST(FrameContact, HoldsTheRestingPlyByStiffnessDepthAndAreaAndLetsItLiftOff) {
     const double side = 24e-3, k = 5e12, dt = 1e-8, speed = 10, thickness = 0.14e-3, opening = 12e-3;
     Plies plies;

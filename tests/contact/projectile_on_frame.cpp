@@ -50,6 +50,27 @@ TEST(ProjectileOnFrame, IsTurnedAsideByTheEdgeOfABarWithoutLossWhereContactIsEla
     }
 }
 
+TEST(ProjectileOnFrame, OfARingTurnsTheProjectileAsideAlikeInEveryDirection) {
+    const scene::Frame ring{.radius = half, .edge_radius = 1e-3};
+    const auto flown = [&](double angle) {
+        contact::ProjectileOnFrame bar(sphere, ring, {.stiffness = k, .unloading = 1, .damping = 0}, top);
+        Translating state{{8e-3 * std::cos(angle), 8e-3 * std::sin(angle), 0}, {0, 0, 300}};
+        constexpr double dt = 1e-8;
+        for (int step = 0; step < 6000; ++step) {
+            state.velocity += dt / mass * bar.evaluate(state, step > 0 ? dt : 0).pressure.force;
+            state.position += dt * state.velocity;
+        }
+        return state.velocity;
+    };
+    const Vec3 along_x = flown(0);
+    EXPECT_LT(along_x.x(), -50) << "towards the opening";
+    for (const double angle : {0.7, 2.1, 4.0}) {
+        const Vec3 velocity = flown(angle);
+        EXPECT_NEAR(velocity.x() * std::cos(angle) + velocity.y() * std::sin(angle), along_x.x(), 1e-6);
+        EXPECT_NEAR(velocity.z(), along_x.z(), 1e-6);
+    }
+}
+
 TEST(ProjectileOnFrame, PassesTheOpeningUntouched) {
     EXPECT_EQ(fly(sphere, {6.9e-3, 50e-3, 0}, {0, 0, 300}, 10).velocity, Vec3(0, 0, 300));
 }

@@ -78,6 +78,27 @@ TEST(Panel, EdgesHoldTheirDirections) {
     for (std::int64_t node = 0; node < loose.nodes_per_ply(); ++node) ASSERT_EQ(loose.supports(node), 0);
 }
 
+TEST(Panel, HoldsWhatLiesBeyondTheOpeningAsItsEdges) {
+    auto scene = small_target();
+    scene.target->frame = scene::Frame{.radius = 8e-3, .edge_radius = 1e-3};
+    const auto held = [&](scene::Edge edge) {
+        scene.target->edges = {edge, edge};
+        const auto panel = make_panel(scene);
+        std::int64_t beyond = 0;
+        for (std::int64_t node = 0; node < panel.nodes_per_ply(); ++node) {
+            const Vec3 at = panel.position(0, node);
+            const bool is_beyond = std::hypot(at.x(), at.y()) > 8e-3;
+            beyond += is_beyond ? 1 : 0;
+            EXPECT_EQ(panel.clamp_of(node).has_value(), is_beyond && edge == scene::Edge::clamp);
+            const bool is_edge = std::abs(at.x()) == 0.01 || std::abs(at.y()) == 0.015;
+            const int all = edge == scene::Edge::fixed ? 7 : edge == scene::Edge::clamp ? 4 : 0;
+            EXPECT_EQ(panel.supports(node), is_beyond || is_edge ? all : 0);
+        }
+        EXPECT_GT(beyond, panel.nodes_per_ply() / 4);
+    };
+    for (const auto edge : {scene::Edge::fixed, scene::Edge::clamp, scene::Edge::frame}) held(edge);
+}
+
 TEST(Panel, OfASymmetricModelIsItsPartOfTheWhole) {
     auto scene = small_target();
     const auto whole = make_panel(scene);

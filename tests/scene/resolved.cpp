@@ -74,6 +74,12 @@ void expect_equal(const Target& a, const Target& b) {
     EXPECT_EQ(a.mesh.growth, b.mesh.growth);
     EXPECT_EQ(a.symmetry, b.symmetry);
     EXPECT_EQ(a.edges, b.edges);
+    EXPECT_EQ(a.clamps, b.clamps);
+    ASSERT_EQ(a.frame.has_value(), b.frame.has_value());
+    if (!a.frame) return;
+    EXPECT_EQ(a.frame->half_opening, b.frame->half_opening);
+    EXPECT_EQ(a.frame->radius, b.frame->radius);
+    EXPECT_EQ(a.frame->edge_radius, b.frame->edge_radius);
 }
 
 void expect_equal(const Scene& a, const Scene& b) {
@@ -102,8 +108,13 @@ void expect_equal(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.hash, b.hash);
 }
 
+const std::vector<std::string> in_a_clamped_ring{
+    "target.frame={opening: {diameter: 4.3 in}, edge_radius: 0.07 in}",
+    "target.edges={x: {clamp: {pressure: 290 psi, friction: {static: 0.23, kinetic: 17 %}}}, y: {clamp: "
+    "{pressure: 290 psi, friction: {static: 0.23, kinetic: 17 %}}}}"};
+
 TEST(Resolved, ReadsBackBitForBit) {
-    for (const auto& overrides : {std::vector<std::string>{}, awkward}) {
+    for (const auto& overrides : {std::vector<std::string>{}, awkward, in_a_clamped_ring}) {
         const Scene scene = parse(example, overrides);
         expect_equal(scene, parse(scene.resolved));
     }

@@ -12,7 +12,7 @@ from v50_runs import Limits
 
 WEAVEFRONT, MPIEXEC = sys.argv.pop(1), sys.argv.pop(1)
 # Shots of about a second.
-SLOWER = ("--set", "target.mesh={center: 0.5 mm, edge: 1 mm}", "--checkpoint-every", "20 steps")
+SLOWER = ("--set", "target.mesh={center: 0.5 mm, edge: 1 mm}", "--checkpoint-every", "200 steps")
 ENDS = ("--from", "100 m/s", "--to", "220 m/s", "--width", "30 m/s", *SLOWER)
 
 

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Finds the ballistic limit of the eight plies by bisection, for the paper's parameters and for what the paper leaves open.
+"""Finds the ballistic limit of the eight plies by bisection, for the paper's parameters and for what the
+paper leaves open.
 
-A limit is the bracket between two speeds: five shots at the lower one are stopped, five at the upper one perforate.
+A limit is the bracket between two speeds: five shots at the lower one are stopped, five at the upper one
+perforate.
 
-Collects one row a variant in limit.csv; variants that stand there are skipped. Without arguments it uses the program of
-`bash cmake/bootstrap.sh build`. --table prints the rows as markdown, --picture FILE draws them.
+Collects one row a variant in limit.csv; variants that stand there are skipped. Without arguments it uses the
+program of `bash cmake/bootstrap.sh build`. --table prints the rows as markdown, --picture FILE draws them.
 """
 
 import argparse
@@ -18,7 +20,8 @@ from sensitivity import BUILD, HERE, K, history, known, report_done
 
 BRACKET = (200, 800)  # m/s; the lower one is stopped in all variants, the upper one in none
 WIDTH = 10  # m/s, of the last bracket
-# A perforation amplifies the smallest difference. Both ends of the bracket are shot again, a little faster, a little slower and in smaller steps.
+# A perforation amplifies the smallest difference. Both ends of the bracket are shot again, a little faster, a
+# little slower and in smaller steps.
 FASTER = (0.01, -0.01)  # m/s
 SAFETIES = ("0.8", "0.7")
 
@@ -54,7 +57,8 @@ FIELDS = ["variant", "stopped", "perforated", "absorbed_least", "absorbed_most",
 
 
 def shot(options, overrides, speed):
-    """Computes one impact. Returns whether the projectile still moves on at the end, and the energy that it has lost, J."""
+    """Computes one impact. Returns whether the projectile still moves on at the end, and the energy that it
+    has lost, J."""
     with tempfile.TemporaryDirectory() as folder:
         command = [options.weavefront, "run", HERE / "impact_550.yaml", "--output", folder]
         command += [f"--set={path}={value}" for path, value in (SHIPPED | overrides).items()]
@@ -69,7 +73,8 @@ def shot(options, overrides, speed):
 
 
 def shots(options, overrides, speed):
-    """Outcomes of five shots at this speed that should come out alike: whether each perforates, and the energy that it absorbs, J."""
+    """Outcomes of five shots at this speed that should come out alike: whether each perforates, and the
+    energy that it absorbs, J."""
     return [
         shot(options, overrides, speed),
         *(shot(options, overrides, speed + difference) for difference in FASTER),
@@ -89,7 +94,8 @@ def bracket(options, variant):
 
 
 def limit(options, variant):
-    """The row of a variant: the bracket, as wide as the scatter makes it, and the energies absorbed at its upper end."""
+    """The row of a variant: the bracket, as wide as the scatter makes it, and the energies absorbed at its
+    upper end."""
     low, high = bracket(options, variant)
     step = high - low
     while any(perforates for perforates, _ in shots(options, VARIANTS[variant], low)):

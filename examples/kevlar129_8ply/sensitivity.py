@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Runs variants of the four scenes one after another and collects what changes.
 
-Variants that stand in sensitivity.csv already are skipped, so that a stopped study goes on where it was; take lines out to repeat them.
-Without arguments it uses the program of `bash cmake/bootstrap.sh build`. --table prints the collected rows as the tables of README.md.
+Variants that stand in sensitivity.csv already are skipped, so that a stopped study goes on where it was; take
+lines out to repeat them. Without arguments it uses the program of `bash cmake/bootstrap.sh build`. --table
+prints the collected rows as the tables of README.md.
 """
 
 import argparse
@@ -59,9 +60,11 @@ STUDIES = {
     ),
 }
 
-# By importance: a study that is cut short has done what matters most. A variant is run in the studies that it names.
+# By importance: a study that is cut short has done what matters most. A variant is run in the studies that it
+# names.
 BOTH, ALL, FRAMED = ("267", "428"), ("267", "428", "428i"), ("267 frame", "428 frame")
-# A net of straight yarns that neither press on nor rub each other and resist no shear, in a panel too large for its edges to matter.
+# A net of straight yarns that neither press on nor rub each other and resist no shear, in a panel too large
+# for its edges to matter.
 NET = {
     K + "thickness": "0.02 mm",
     K + "friction": "0",
@@ -173,7 +176,8 @@ def history(folder):
 
 
 def rebound_time(columns):
-    """First time at which the projectile moves back, s, between the rows by straight line; None without a rebound."""
+    """First time at which the projectile moves back, s, between the rows by straight line; None without a
+    rebound."""
     times, speeds = columns["time"], columns["projectile_vz"]
     for i in range(1, len(times)):
         if speeds[i] <= 0:

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Predicts strong and weak scaling of the scene beside this file; writes strong.csv, weak.csv and scaling.png.
+"""Predicts strong and weak scaling of the scene beside this file; writes strong.csv, weak.csv and
+scaling.png.
 
-Without arguments it uses the program of `bash cmake/bootstrap.sh build`. --machine FILE: the constants of another machine, from
-`weavefront partition SCENE --calibrate FILE`.
+Without arguments it uses the program of `bash cmake/bootstrap.sh build`. --machine FILE: the constants of
+another machine, from `weavefront partition SCENE --calibrate FILE`.
 """
 
 import argparse

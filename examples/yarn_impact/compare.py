@@ -1,7 +1,9 @@
 #!/usr/bin/python3
-"""Compares a run of scene.yaml with J. C. Smith's transverse impact on a yarn (1958): compare.py RUN_DIRECTORY [--picture FILE]
+"""Compares a run of scene.yaml with J. C. Smith's transverse impact on a yarn (1958): compare.py
+RUN_DIRECTORY [--picture FILE]
 
-Leaves with status 1 when the strain behind the front or the speed of a wave is off by more than 3 %, or the strain scatters by more.
+Leaves with status 1 when the strain behind the front or the speed of a wave is off by more than 3 %, or the
+strain scatters by more.
 """
 
 import argparse
@@ -26,7 +28,8 @@ def wave_speed(scene):
 
 
 def smith(speed, c):
-    """Strain behind the longitudinal front and laboratory speed of the transverse wave, m/s, at an impact speed."""
+    """Strain behind the longitudinal front and laboratory speed of the transverse wave, m/s, at an impact
+    speed."""
     low, high = 0.0, 1.0
     for _ in range(200):  # V = c sqrt(2 e sqrt(e (1 + e)) - e^2) grows with e
         e = (low + high) / 2
@@ -73,7 +76,8 @@ def front(centre, strain, plateau):
 
 
 def measure(strip, expected):
-    """Strain behind the front and its scatter, laboratory speed of the kink, speed of the longitudinal front (m/s)."""
+    """Strain behind the front and its scatter, laboratory speed of the kink, speed of the longitudinal front
+    (m/s)."""
     # The first quarter of the run is left to the length of strip under the face of the projectile.
     frames = [k for k, t in enumerate(strip.times) if t >= strip.times[-1] / 4]
     times = strip.times[frames]

@@ -74,7 +74,8 @@ def count(command, launcher=(), within=None):
 
 
 def traffic(command, within, cache="1048576,16,64"):
-    """Runs the command on a simulated cache; instructions, and bytes read into that cache and written back from it.
+    """Runs the command on a simulated cache; instructions, and bytes read into that cache and written back
+    from it.
 
     cache  size, associativity, line: the last level; nothing behind it is simulated"""
     levels = [f"--{level}=32768,8,64" for level in ("I1", "D1")]

@@ -1,8 +1,10 @@
-"""Instructions an element-step of named cases against the committed baseline: instructions.py BUILD [--update]
+"""Instructions an element-step of named cases against the committed baseline: instructions.py BUILD
+[--update]
 
-BUILD is a release build of -DWEAVEFRONT_ARCH=x86-64-v3 with the target benchmark_step. Instructions do not depend on how busy a machine is, so a
-slower step is seen at once. Exit status 1 when a case takes over 5 % more than baseline.json says, or when plies that touch
-take over 1.3 times those with air between them; 77 when BUILD is of another compiler, whose instructions say nothing about ours. --update writes
+BUILD is a release build of -DWEAVEFRONT_ARCH=x86-64-v3 with the target benchmark_step. Instructions do not
+depend on how busy a machine is, so a slower step is seen at once. Exit status 1 when a case takes over 5 %
+more than baseline.json says, or when plies that touch take over 1.3 times those with air between them; 77
+when BUILD is of another compiler, whose instructions say nothing about ours. --update writes
 baseline.json."""
 
 import argparse

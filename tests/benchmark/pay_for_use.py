@@ -1,7 +1,9 @@
-"""What each optional feature costs, off and on, and what the step pays for features that a scene leaves out: pay_for_use.py BUILD
+"""What each optional feature costs, off and on, and what the step pays for features that a scene leaves out:
+pay_for_use.py BUILD
 
-BUILD is a build folder of -DWEAVEFRONT_ARCH=x86-64-v3 with the targets weavefront and benchmark_step. Writes pay_for_use.md beside this
-script; exit status 1 when a feature that is off costs more than 0.5 % or allocates."""
+BUILD is a build folder of -DWEAVEFRONT_ARCH=x86-64-v3 with the targets weavefront and benchmark_step. Writes
+pay_for_use.md beside this script; exit status 1 when a feature that is off costs more than 0.5 % or
+allocates."""
 
 import argparse
 import json
@@ -132,7 +134,8 @@ def halo_row(steps):
 
 
 def program_costs(build, overrides):
-    """Instructions of a whole run by part: the steps, a row of the history, a frame; all an element, steps an element-step."""
+    """Instructions of a whole run by part: the steps, a row of the history, a frame; all an element, steps an
+    element-step."""
     with tempfile.TemporaryDirectory() as folder:
         command = [
             build / "src/app/weavefront",

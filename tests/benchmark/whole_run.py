@@ -1,8 +1,10 @@
 """Speed of whole runs, in figures that a user meets: whole_run.py BUILD [--counted BUILD]
 
-BUILD is a release build for this machine with the targets weavefront, benchmark_step and benchmark_kernels. --counted is one of
--DWEAVEFRONT_ARCH=x86-64-v3 with the last two, for instructions and bytes; BUILD/x86-64-v3 unless named. Writes whole_run.json and
-whole_run.md beside this script. Wants an idle machine of two cores: what it times is in seconds."""
+BUILD is a release build for this machine with the targets weavefront, benchmark_step and benchmark_kernels.
+--counted is one of
+-DWEAVEFRONT_ARCH=x86-64-v3 with the last two, for instructions and bytes; BUILD/x86-64-v3 unless named.
+Writes whole_run.json and whole_run.md beside this script. Wants an idle machine of two cores: what it times
+is in seconds."""
 
 import argparse
 import json
@@ -90,9 +92,10 @@ def least_seconds(runs):
 
 
 def two_ranks(command, repeats):
-    """Throughput of two ranks over that of two runs of one rank side by side, by turns. All take the same steps each time, and what else goes
-    on in the machine only ever makes a step longer: so a step counts with the least time that it took. `pairs` are the ratios of single pairs
-    as they came: two ranks wait for whichever core is disturbed, two runs do not."""
+    """Throughput of two ranks over that of two runs of one rank side by side, by turns. All take the same
+    steps each time, and what else goes on in the machine only ever makes a step longer: so a step counts with
+    the least time that it took. `pairs` are the ratios of single pairs as they came: two ranks wait for
+    whichever core is disturbed, two runs do not."""
     processors = sorted(os.sched_getaffinity(0))[:2]
     if len(processors) < 2:
         sys.exit("two ranks are compared on two cores; this process may use one only")

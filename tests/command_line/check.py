@@ -1,4 +1,5 @@
-"""What `check`, `cell` and `yarn` say and take, without MPI, also under its launcher: check.py WEAVEFRONT SCENE MPIEXEC"""
+"""What `check`, `cell` and `yarn` say and take, without MPI, also under its launcher: check.py WEAVEFRONT
+SCENE MPIEXEC"""
 
 import os
 import subprocess

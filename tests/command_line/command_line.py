@@ -1,4 +1,5 @@
-"""What the program says and returns for a command line, before any scene is computed: command_line.py WEAVEFRONT MPIEXEC"""
+"""What the program says and returns for a command line, before any scene is computed: command_line.py
+WEAVEFRONT MPIEXEC"""
 
 import os
 import subprocess
@@ -131,8 +132,9 @@ def main():
                 assert line.startswith("weavefront: error: " + beginning), (arguments, line)
             assert bool(result.stdout) == (status == 0), (arguments, result.stdout)
 
-            # What all ranks find alike is told by the first one. The others end in the same status, later: a launcher that sees
-            # one fail kills the first before it has printed. Commands of one process leave everything to the first.
+            # What all ranks find alike is told by the first one. The others end in the same status, later: a
+            # launcher that sees one fail kills the first before it has printed. Commands of one process leave
+            # everything to the first.
             if number % 4 == 3 or status == 0:
                 other_rank = call(program, *arguments, rank=1)
                 others = 0 if arguments[:1] in (["check"], ["cell"], ["yarn"]) else status

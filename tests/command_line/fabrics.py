@@ -1,4 +1,5 @@
-"""The libraries of fabrics and projectiles name their sources, and scenes take from them: fabrics.py WEAVEFRONT"""
+"""The libraries of fabrics and projectiles name their sources, and scenes take from them: fabrics.py
+WEAVEFRONT"""
 
 import subprocess
 import sys

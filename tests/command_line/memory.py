@@ -1,4 +1,5 @@
-"""What a target takes of memory is what is said of it, and all ranks of a machine are counted: memory.py WEAVEFRONT MPIEXEC"""
+"""What a target takes of memory is what is said of it, and all ranks of a machine are counted: memory.py
+WEAVEFRONT MPIEXEC"""
 
 import math
 import os

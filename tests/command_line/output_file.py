@@ -1,5 +1,5 @@
-"""Files that a command reads are never replaced, nor what is no file, and what cannot be written is told before anything runs:
-output_file.py WEAVEFRONT SCENE"""
+"""Files that a command reads are never replaced, nor what is no file, and what cannot be written is told
+before anything runs: output_file.py WEAVEFRONT SCENE"""
 
 import os
 import stat

@@ -1,4 +1,5 @@
-"""What a folder holds of an earlier run stays until a new one is certain to start: overwrite.py WEAVEFRONT MPIEXEC"""
+"""What a folder holds of an earlier run stays until a new one is certain to start: overwrite.py WEAVEFRONT
+MPIEXEC"""
 
 import os
 import resource
@@ -11,7 +12,8 @@ from pathlib import Path
 
 from small_run import FILES, LONG, Program, bytes_of, processes_of, summary
 
-# Refused when everything is set up, and before: time step of nothing, a file larger than the system takes, a fault in the scene.
+# Refused when everything is set up, and before: time step of nothing, a file larger than the system takes, a
+# fault in the scene.
 GUARD = ["contact.plies={stiffness: 1e308 N/m^3}"]
 TOO_LARGE = [*LONG, "output.interval=0.05 us"]
 

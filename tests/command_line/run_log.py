@@ -1,5 +1,5 @@
-"""run.log begins with when, where and how the run was started and ends with how long it took; what lies between is what was printed:
-run_log.py WEAVEFRONT SCENE MPIEXEC"""
+"""run.log begins with when, where and how the run was started and ends with how long it took; what lies
+between is what was printed: run_log.py WEAVEFRONT SCENE MPIEXEC"""
 
 import datetime
 import re

@@ -1,4 +1,5 @@
-"""A signal ends a run in good order, and what was written before stays as it would have been: signals.py WEAVEFRONT MPIEXEC"""
+"""A signal ends a run in good order, and what was written before stays as it would have been: signals.py
+WEAVEFRONT MPIEXEC"""
 
 import os
 import signal

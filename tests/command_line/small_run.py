@@ -93,7 +93,8 @@ def is_open_mpi(mpiexec):
 
 
 def statuses_when_signalled(mpiexec):
-    """What mpirun may return when it passes a signal on and the ranks return 4. That of MPICH sometimes loses their status."""
+    """What mpirun may return when it passes a signal on and the ranks return 4. That of MPICH sometimes loses
+    their status."""
     return {4} if is_open_mpi(mpiexec) else {0, 4}
 
 

@@ -1,4 +1,5 @@
-"""What is allowed but hardly meant draws one warning of `check`, in the units of the scene, and the same of `run`: warnings.py WEAVEFRONT"""
+"""What is allowed but hardly meant draws one warning of `check`, in the units of the scene, and the same of
+`run`: warnings.py WEAVEFRONT"""
 
 import re
 import subprocess

@@ -1,4 +1,5 @@
-"""`weavefront cell` and `weavefront yarn` from the files that they read to the files that they write. Usage: commands.py WEAVEFRONT SCENE"""
+"""`weavefront cell` and `weavefront yarn` from the files that they read to the files that they write. Usage:
+commands.py WEAVEFRONT SCENE"""
 
 import csv
 import math

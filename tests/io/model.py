@@ -58,7 +58,8 @@ def same(read, expected):
 
 
 def check_frames(path, with_projectile=True, surplus_times=0):
-    """Reads every frame of the file; returns their number. Raises AssertionError at the first value that is wrong."""
+    """Reads every frame of the file; returns their number. Raises AssertionError at the first value that is
+    wrong."""
     with vtkhdf.Reader(path) as reader:
         assert reader.surplus_times <= surplus_times, f"{path}: {reader.surplus_times} more times than frames"
         for k in range(reader.steps):

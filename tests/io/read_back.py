@@ -1,4 +1,5 @@
-"""Every frame reads back as it was written, at every rank count, and the files are the same: read_back.py WRITER MPIEXEC H5DIFF"""
+"""Every frame reads back as it was written, at every rank count, and the files are the same: read_back.py
+WRITER MPIEXEC H5DIFF"""
 
 import os
 import subprocess
@@ -38,7 +39,8 @@ def main():
     writer, mpiexec, h5diff = sys.argv[1:]
     os.environ["HDF5_USE_FILE_LOCKING"] = "FALSE"
     with tempfile.TemporaryDirectory() as folder:
-        # More frames than one, none, a run that stopped before its last frame, files that are cut and one that grows.
+        # More frames than one, none, a run that stopped before its last frame, files that are cut and one
+        # that grows.
         for frames, max_frames, projectile, *cut in [
             (4, 4, 1),
             (4, 4, 0),

@@ -1,5 +1,5 @@
-"""Whatever the moment at which its writer is killed, a results file opens and all the frames it counts are right:
-survive_kill.py WRITER MPIEXEC"""
+"""Whatever the moment at which its writer is killed, a results file opens and all the frames it counts are
+right: survive_kill.py WRITER MPIEXEC"""
 
 import os
 import random
@@ -17,7 +17,8 @@ KILLS = 36
 
 
 def kill_writer(command, ranks, path, delay):
-    """Starts the writer and kills its processes `delay` seconds after the file has its name (before, when negative)."""
+    """Starts the writer and kills its processes `delay` seconds after the file has its name (before, when
+    negative)."""
     writer = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     pids = [int(writer.stdout.readline()) for _ in range(ranks)]
     if delay < 0:
@@ -63,7 +64,8 @@ def main():
                 -random.uniform(0, 0.2) if early else random.uniform(0, 0.03 if room > 1 else 0.2),
             )
             if path.exists():
-                # The two numbers that publish a frame are written one right after the other: a kill may fall between them.
+                # The two numbers that publish a frame are written one right after the other: a kill may fall
+                # between them.
                 counted.append(model.check_frames(path, surplus_times=1))
     print("frames read:", counted)
     assert len(counted) >= 30, "too few kills left a file"

@@ -1,4 +1,5 @@
-"""Reads a VTKHDF 2.0 time series of an unstructured grid by the arithmetic of VTK's own reader, part by part."""
+"""Reads a VTKHDF 2.0 time series of an unstructured grid by the arithmetic of VTK's own reader, part by
+part."""
 
 import h5py
 import numpy as np

@@ -129,7 +129,8 @@ class Partition(unittest.TestCase):
         self.call("--ranks", "1,4", "--weak", "--machine", "machine.json", "--out", "weak.csv")
         weak = self.rows("weak.csv")
         self.assertEqual([row["elements"] for row in weak], ["800", "3200"])
-        # With nothing but elements and nodes to pay for, only nodes on the cuts and the balance of columns are lost.
+        # With nothing but elements and nodes to pay for, only nodes on the cuts and the balance of columns
+        # are lost.
         self.assertGreater(float(weak[1]["efficiency"]), 0.9)
 
     def test_calibrates_and_measures(self):
@@ -165,7 +166,8 @@ class Partition(unittest.TestCase):
         )
         measured = [row["measured_seconds"] for row in self.rows("table.csv")]
         self.assertEqual([seconds != "" for seconds in measured], [True, True, False])
-        # The same steps that the constants were fitted to, in processor time and at the speed of the processor.
+        # The same steps that the constants were fitted to, in processor time and at the speed of the
+        # processor.
         alone = self.rows("table.csv")[0]
         self.assertLess(
             abs(float(alone["step_seconds"]) * float(alone["measured_slowdown"]) / float(measured[0]) - 1),

@@ -1,4 +1,5 @@
-"""What the tests of weavefront-plot share: the program (first argument of each test), small runs, and what a call must do."""
+"""What the tests of weavefront-plot share: the program (first argument of each test), small runs, and what a
+call must do."""
 import html
 import os
 import re

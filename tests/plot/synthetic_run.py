@@ -1,11 +1,13 @@
 #!/usr/bin/python3
-"""Writes the folder of a run that was never computed: a whole, half or quarter model of plies deflected to an exact pyramid.
+"""Writes the folder of a run that was never computed: a whole, half or quarter model of plies deflected to an
+exact pyramid.
 
-The height falls linearly with |x| + |y| about the impact from a flat top that covers the projectile, so its half-height contour is a
-square on its corner: its extent along x is sqrt(2) times that along the diagonal.
+The height falls linearly with |x| + |y| about the impact from a flat top that covers the projectile, so its
+half-height contour is a square on its corner: its extent along x is sqrt(2) times that along the diagonal.
 
-With --perforate the plies break one after another before the projectile. With `debris` the elements of the last ply at the impact are
-torn off and fly ahead, as the array `joined` says. With `shot` the projectile also moves along x and y.
+With --perforate the plies break one after another before the projectile. With `debris` the elements of the
+last ply at the impact are torn off and fly ahead, as the array `joined` says. With `shot` the projectile also
+moves along x and y.
 """
 import argparse
 from pathlib import Path
@@ -46,7 +48,8 @@ def panel(count, plies, symmetry, impact):
 
 
 def cylinder(sectors=32):
-    """Surface of a flat cylinder, its nose at the origin, the body towards -z; the faces are quads, those on the axis degenerate."""
+    """Surface of a flat cylinder, its nose at the origin, the body towards -z; the faces are quads, those on
+    the axis degenerate."""
     angle = np.arange(sectors) * 2 * np.pi / sectors
     profile = [
         (0.0, 0.0),
@@ -125,7 +128,8 @@ def cell_arrays(reference, quads, ply, time, reach, impact):
 
 
 def write_results(path, times, count, plies, perforate, symmetry, projectile, impact, shot, debris):
-    """results.vtkhdf as weavefront lays it out: fabric and, where there is one, projectile as parts of every step."""
+    """results.vtkhdf as weavefront lays it out: fabric and, where there is one, projectile as parts of every
+    step."""
     reference, quads, ply = panel(count, plies, symmetry, impact)
     body, faces = cylinder() if projectile else (np.empty((0, 3)), np.empty((0, 4), int))
     parts = 2 if projectile else 1
@@ -171,7 +175,8 @@ def write_results(path, times, count, plies, perforate, symmetry, projectile, im
 
 
 def write_steps(root, times, n, c):
-    """The group Steps, with one step more in the arrays than NSteps says, as after a kill while a frame was being written."""
+    """The group Steps, with one step more in the arrays than NSteps says, as after a kill while a frame was
+    being written."""
     steps, k = root.create_group("Steps"), np.arange(len(times) + 1)
     steps.attrs["NSteps"] = len(times)
     steps["Values"] = np.append(times, times[-1] + 1e-6)

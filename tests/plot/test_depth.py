@@ -59,7 +59,8 @@ class Depth(unittest.TestCase):
                 np.testing.assert_allclose(shown[face >= 0], depth[face >= 0], atol=1e-4)  # of float32
 
     def test_a_ply_never_shows_through_one_above_it(self):
-        # 0.25 mm apart, large elements above small ones: by the depth of their middles most of the small ones would be nearer.
+        # 0.25 mm apart, large elements above small ones: by the depth of their middles most of the small ones
+        # would be nearer.
         for slope in (0.0, 0.2, -0.5):
             for above, below in ((2, 40), (40, 2)):
                 faces = Faces.join([sheet(0.25, above, slope, RED), sheet(0.0, below, slope, BLUE)])

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Labels of pictures: none over another, and the words of a file as they stand: test_labels.py PATH/TO/weavefront-plot."""
+"""Labels of pictures: none over another, and the words of a file as they stand: test_labels.py
+PATH/TO/weavefront-plot."""
 import json
 import unittest
 from itertools import combinations

@@ -38,8 +38,8 @@ class OnRun(OnFolder):
 
 
 class Extents(OnRun):
-    # At 150 us the foot is at 8 + 380 * 0.15 = 65 mm and the top at 1.5 * 2.69 = 4.035 mm. Linear interpolation is exact there;
-    # the rays stand 1e-6 of the size beside the nodes.
+    # At 150 us the foot is at 8 + 380 * 0.15 = 65 mm and the top at 1.5 * 2.69 = 4.035 mm. Linear
+    # interpolation is exact there; the rays stand 1e-6 of the size beside the nodes.
     def test_of_a_pyramid_are_exact(self):
         for symmetry in ("xy", "y", ""):
             with self.subTest(symmetry=symmetry):
@@ -60,7 +60,8 @@ class Extents(OnRun):
                 self.assertAlmostEqual(shape["ratio"], np.sqrt(2), delta=1e-4)
 
     def test_debris_does_not_count(self):
-        # At 150 us the nose is at 0.4 * 267 m/s / (pi / 280 us) * sin(150 / 280 pi) = 9.46 mm; debris flies 40 mm ahead of it.
+        # At 150 us the nose is at 0.4 * 267 m/s / (pi / 280 us) * sin(150 / 280 pi) = 9.46 mm; debris flies
+        # 40 mm ahead of it.
         shape = self.shape_of("debris", plies=2, debris=True, count=20)
         self.assertLess(shape["height"], 9.47e-3)
         self.assertGreater(shape["height"], 8e-3)
@@ -80,7 +81,8 @@ class Impacts(OnRun):
         lines, ply = ply_lines(run, Fabric(run.results), 6)
         self.assertEqual(set(ply), {1, 2})
         nose = run.results.projectile(6).points[:, 2].max()
-        # The top of the last ply: the nose and the distance between two plies. The plane stands 1e-6 of the size, 1e-4 mm, aside.
+        # The top of the last ply: the nose and the distance between two plies. The plane stands 1e-6 of the
+        # size, 1e-4 mm, aside.
         self.assertAlmostEqual(lines[..., 1].max(), 1e3 * (nose + 0.25e-3), delta=1e-4)
         body = outline(run, 6)
         np.testing.assert_allclose(body[:, 0].min(), 1e3 * (IMPACT[0] - RADIUS), atol=1e-3)
@@ -112,7 +114,8 @@ class Deformations(OnRun):
             middles = faces.corners.mean(axis=1)
             self.assertFalse(pictures.opening.holds(middles + [-1e-3, 1e-3, 0]).any())
             counts.add(len(faces.corners))
-        # three quarters of 2 plies of 6 x 6 elements, and the cut edges of 2 x 6 elements on each of two planes
+        # three quarters of 2 plies of 6 x 6 elements, and the cut edges of 2 x 6 elements on each of two
+        # planes
         self.assertEqual(counts, {3 * 2 * 36 + 2 * 2 * 6})
 
     def test_open_quarter_is_at_the_impact(self):

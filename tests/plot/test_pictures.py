@@ -14,7 +14,8 @@ YARN = "rate,time,strain,stress,failure\n1,0,0,0,0\n1,0.03,0.03,3e9,20\n200,0,0,
 
 
 class OnRuns(OnFolder):
-    """Shared synthetic runs: `soft` turns back at 140 us, `hard` is perforated; each has a frame every 25 us."""
+    """Shared synthetic runs: `soft` turns back at 140 us, `hard` is perforated; each has a frame every 25
+    us."""
 
     @classmethod
     def setUpClass(cls):
@@ -141,7 +142,8 @@ class History(OnRuns):
         oblique = self.folder / "oblique"
         write_run(oblique, count=4, plies=1, symmetry="", shot=(60, 0))
         self.assertIn("speed", self.text_of(oblique, "history"))
-        # at 100 us vz is 0.4 267 cos(pi/2 100/140) + 0.6 267 (1 - 100/140)^3 = 50.1 m/s, the speed hypot(60, 50.1)
+        # at 100 us vz is 0.4 267 cos(pi/2 100/140) + 0.6 267 (1 - 100/140)^3 = 50.1 m/s, the speed hypot(60,
+        # 50.1)
         self.assertIn("vz 50 m/s,  speed 78 m/s", self.text_of(oblique, "deformed_100us", "--times", "100us"))
 
     def test_columns_that_it_does_not_know_may_hold_anything(self):

@@ -1,7 +1,8 @@
-"""A run is killed at random moments, and restarted on random numbers of ranks each time: its files are those of an uninterrupted run.
+"""A run is killed at random moments, and restarted on random numbers of ranks each time: its files are those
+of an uninterrupted run.
 
-kill.py WEAVEFRONT MPIEXEC [KILLS [SEED]]: with 50, all of it in some minutes. One rank, all ranks or mpirun itself is sent SIGKILL: while the run sets up,
-computes, writes rows, frames or a checkpoint."""
+kill.py WEAVEFRONT MPIEXEC [KILLS [SEED]]: with 50, all of it in some minutes. One rank, all ranks or mpirun
+itself is sent SIGKILL: while the run sets up, computes, writes rows, frames or a checkpoint."""
 
 import os
 import random

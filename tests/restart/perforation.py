@@ -17,7 +17,8 @@ from small_run import (
     summary,
 )  # noqa: E402, F401
 
-# Two plies on a frame that a sphere perforates. Yarns break, elements erode, debris flies, plies touch, the frame is touched.
+# Two plies on a frame that a sphere perforates. Yarns break, elements erode, debris flies, plies touch, the
+# frame is touched.
 PERFORATION = (
     "target.size=[30 mm, 30 mm]",
     "target.symmetry=[]",
@@ -33,7 +34,8 @@ PERFORATION = (
     "output.history=0.2 us",
 )
 
-# What the perforation above lacks: the paper's formulation, straight yarns, unequal ones of scattered strength, a turned ply, damping, a cylinder, contact at the nodes.
+# What the perforation above lacks: the paper's formulation, straight yarns, unequal ones of scattered
+# strength, a turned ply, damping, a cylinder, contact at the nodes.
 MIXED = (
     "fabrics.b={formulation: paper, areal_density: 150 g/m^2, density: 1440 kg/m^3, thickness: 0.3 mm, friction: 0.11,"
     " yarn: {span: 0.9 mm, area: 0.05 mm^2, width: 0.3 mm},"

@@ -52,7 +52,8 @@ def leave(program, output, ranks, request, environment=None, statuses=None):
 
 
 def terminate_slowly(process):
-    """Sends SIGTERM to mpirun and keeps a rank from leaving for 4.5 s, longer than Open MPI waits by itself."""
+    """Sends SIGTERM to mpirun and keeps a rank from leaving for 4.5 s, longer than Open MPI waits by
+    itself."""
     rank = processes_of(process)[-1]
     process.send_signal(signal.SIGTERM)
     time.sleep(0.3)  # mpirun wakes all ranks first

@@ -1,4 +1,5 @@
-"""A run that goes on from a checkpoint writes the files of an uninterrupted one, on any number of ranks: restart.py WEAVEFRONT MPIEXEC"""
+"""A run that goes on from a checkpoint writes the files of an uninterrupted one, on any number of ranks:
+restart.py WEAVEFRONT MPIEXEC"""
 
 import sys
 import tempfile
@@ -20,7 +21,8 @@ def goes_on_on_any_ranks(program, whole):
         assert summary(program.folder / output)["status"] == "interrupted"
         program.run(output, PERFORATION, then, ["--restart", "auto", *STEPS, "--rebalance", "0"])
         assert differences(whole, program.folder / output) == [], output
-        # The last checkpoint is that of some step before the end: from there again, with all that was written since.
+        # The last checkpoint is that of some step before the end: from there again, with all that was written
+        # since.
         program.run(output, PERFORATION, first, ["--restart", "auto"])
         assert differences(whole, program.folder / output) == [], output
         program.run(

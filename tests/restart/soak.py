@@ -1,7 +1,8 @@
 """Runs go on and on: soak.py WEAVEFRONT MPIEXEC [MINUTES [SEED]], 30 minutes by default.
 
-Each run has output settings by chance. It is left and restarted by chance, on random numbers of ranks, with and without rebalancing, and is compared with
-an uninterrupted run. Before, a small run of 500,000 steps must not take more and more memory."""
+Each run has output settings by chance. It is left and restarted by chance, on random numbers of ranks, with
+and without rebalancing, and is compared with an uninterrupted run. Before, a small run of 500,000 steps must
+not take more and more memory."""
 
 import os
 import random

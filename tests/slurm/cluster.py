@@ -1,4 +1,5 @@
-"""A Slurm cluster of one node, this machine, that needs root and Debian's slurm-wlm and munge, and leaves nothing behind."""
+"""A Slurm cluster of one node, this machine, that needs root and Debian's slurm-wlm and munge, and leaves
+nothing behind."""
 
 import os
 import pwd
@@ -9,8 +10,9 @@ import subprocess
 import time
 from pathlib import Path
 
-# Jobs of several ranks run at the same time, also where the machine has fewer cores. Requeued jobs start after seconds, not minutes.
-# Job numbers name folders in /tmp, which other clusters of this machine must not use.
+# Jobs of several ranks run at the same time, also where the machine has fewer cores. Requeued jobs start
+# after seconds, not minutes. Job numbers name folders in /tmp, which other clusters of this machine must not
+# use.
 CONFIGURATION = """\
 ClusterName=weavefront
 FirstJobId={first_job}

@@ -1,4 +1,5 @@
-"""Runs in jobs of a real Slurm go on until they are done: jobs.py WEAVEFRONT MPIEXEC MPI, MPI as in srun --mpi. Needs root."""
+"""Runs in jobs of a real Slurm go on until they are done: jobs.py WEAVEFRONT MPIEXEC MPI, MPI as in srun
+--mpi. Needs root."""
 
 import os
 import re
@@ -73,7 +74,8 @@ class Job:
         self.wait_for((self.output / "results.vtkhdf").exists)
 
     def leaves(self, reason):
-        """Waits for a checkpoint that was written for `reason`, then lets the requeued job compute some output intervals more."""
+        """Waits for a checkpoint that was written for `reason`, then lets the requeued job compute some
+        output intervals more."""
         self.wait_for((self.output / "summary.json").exists)
         found = summary(self.output)
         assert (found["status"], found["reason"]) == ("interrupted", reason), (

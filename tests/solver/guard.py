@@ -13,7 +13,8 @@ import runs
 
 
 def check_files(output):
-    """All files are whole, the last frame shows the state at the stop, and nothing in them is NaN or infinite."""
+    """All files are whole, the last frame shows the state at the stop, and nothing in them is NaN or
+    infinite."""
     summary, rows = runs.summary(output), runs.history(output)
     assert summary["status"] == "stopped", summary["status"]
     assert rows and all(np.isfinite(list(row.values())).all() for row in rows)
@@ -50,8 +51,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         balance = ["limits.energy_error=1e-9"]
         check_stop(program, scene, Path(folder) / "balance", balance, "energy balance")
-        # Straight elastic yarns at 1.2 times their bound, with nothing that takes energy and contact too soft to bind the step: past the
-        # limit of stability.
+        # Straight elastic yarns at 1.2 times their bound, with nothing that takes energy and contact too soft
+        # to bind the step: past the limit of stability.
         unstable = [
             "time.safety=1.2",
             "fabrics.kevlar129.thickness=0",

@@ -1,6 +1,8 @@
-"""The example's impacts on a mesh of 2 mm come out as in the committed study of meshes: impact.py WEAVEFRONT SCENE STUDY_CSV
+"""The example's impacts on a mesh of 2 mm come out as in the committed study of meshes: impact.py WEAVEFRONT
+SCENE STUDY_CSV
 
-Contact is integrated over facets, as users have it. At 267 and 428 m/s the projectile is thrown back and nothing breaks."""
+Contact is integrated over facets, as users have it. At 267 and 428 m/s the projectile is thrown back and
+nothing breaks."""
 
 import csv
 import sys

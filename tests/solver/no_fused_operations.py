@@ -1,4 +1,5 @@
-"""A fused multiply-add rounds once where others round twice: with one the bits would depend on the build. no_fused_operations.py WEAVEFRONT"""
+"""A fused multiply-add rounds once where others round twice: with one the bits would depend on the build.
+no_fused_operations.py WEAVEFRONT"""
 
 import re
 import shutil

@@ -1,4 +1,5 @@
-"""A rank that runs out of memory says so and ends all ranks instead of leaving them waiting: out_of_memory.py WEAVEFRONT MPIEXEC SCENE
+"""A rank that runs out of memory says so and ends all ranks instead of leaving them waiting: out_of_memory.py
+WEAVEFRONT MPIEXEC SCENE
 
 Started by mpiexec as out_of_memory.py COMMAND..., it is the command with little memory on the second rank."""
 

@@ -1,4 +1,5 @@
-"""A perforation computed by 1 to 4 ranks, also when columns change ranks on the way, leaves the same files: rank_invariance.py WEAVEFRONT MPIEXEC H5DIFF SCENE"""
+"""A perforation computed by 1 to 4 ranks, also when columns change ranks on the way, leaves the same files:
+rank_invariance.py WEAVEFRONT MPIEXEC H5DIFF SCENE"""
 
 import subprocess
 import sys
@@ -19,7 +20,8 @@ UNEVEN = [
 
 
 def check_perforated(output):
-    """The scene does what it is here for: all plies break, elements go, the last ply is reached through the others, the projectile leaves."""
+    """The scene does what it is here for: all plies break, elements go, the last ply is reached through the
+    others, the projectile leaves."""
     summary, rows = runs.summary(output), runs.history(output)
     breaks = summary["first_break"]
     print("first breaks:", breaks, "eroded:", summary["eroded_elements"], "contact:", rows[-1]["contact"])

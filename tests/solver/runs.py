@@ -12,8 +12,8 @@ class Program:
         self.weavefront, self.mpiexec = weavefront, mpiexec
 
     def run(self, scene, output, overrides=(), ranks=1, status=0, options=()):
-        """Computes a scene into a folder, in place of a run that is there; AssertionError unless it leaves with `status`. Returns what it
-        wrote to standard error."""
+        """Computes a scene into a folder, in place of a run that is there; AssertionError unless it leaves
+        with `status`. Returns what it wrote to standard error."""
         command = [self.mpiexec, "-n", str(ranks)] if ranks > 1 else []
         command += [self.weavefront, "run", str(scene), "--output", str(output), "--overwrite", *options]
         for override in overrides:

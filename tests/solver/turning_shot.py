@@ -1,4 +1,5 @@
-"""A spinning, oblique shot with friction leaves the same files on any number of ranks and after a restart: turning_shot.py WEAVEFRONT MPIEXEC H5DIFF SCENE"""
+"""A spinning, oblique shot with friction leaves the same files on any number of ranks and after a restart:
+turning_shot.py WEAVEFRONT MPIEXEC H5DIFF SCENE"""
 
 import subprocess
 import sys
@@ -9,7 +10,8 @@ import runs
 
 
 def check_shot(output):
-    """The shot does what it is here for: the projectile turns, friction and clamps take energy, yarns break, and the energy closes."""
+    """The shot does what it is here for: the projectile turns, friction and clamps take energy, yarns break,
+    and the energy closes."""
     rows = runs.history(output)
     friction = [row["contact_friction"] for row in rows]
     print("contact friction:", friction[-1], "energy error:", max(abs(row["energy_error"]) for row in rows))

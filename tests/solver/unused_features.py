@@ -1,4 +1,5 @@
-"""A feature that never acts leaves the same history as one that the scene does not ask for: unused_features.py WEAVEFRONT SCENE"""
+"""A feature that never acts leaves the same history as one that the scene does not ask for:
+unused_features.py WEAVEFRONT SCENE"""
 
 import sys
 import tempfile

@@ -1,4 +1,5 @@
-"""The quick shipped studies reproduce their committed tables within the tolerances that they state: shipped.py WEAVEFRONT MPIEXEC
+"""The quick shipped studies reproduce their committed tables within the tolerances that they state:
+shipped.py WEAVEFRONT MPIEXEC
 
 The yarn law is cut to a million steps: the rest of its table takes a minute."""
 

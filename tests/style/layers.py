@@ -1,6 +1,7 @@
-"""Modules are layers: a file includes only headers of its own module and of what weavefront_module(... USES ...) declares for it, directly
-or through the modules that it uses. The build's include folders enforce the same for our own headers; this check says which line is wrong,
-and covers the libraries that stand in the compiler's default folders."""
+"""Modules are layers: a file includes only headers of its own module and of what weavefront_module(... USES
+...) declares for it, directly or through the modules that it uses. The build's include folders enforce the
+same for our own headers; this check says which line is wrong, and covers the libraries that stand in the
+compiler's default folders."""
 
 import re
 import sys

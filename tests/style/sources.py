@@ -23,7 +23,8 @@ def sources(suffixes):
 
 
 def report(defects, checked):
-    """Prints the defects and the count of what was checked; returns the exit status. Nothing checked is a defect."""
+    """Prints the defects and the count of what was checked; returns the exit status. Nothing checked is a
+    defect."""
     for defect in defects:
         print(defect)
     print(f"{checked} checked, {len(defects)} at fault")

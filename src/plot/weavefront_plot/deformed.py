@@ -1,4 +1,5 @@
-"""deformed_<time>: the plies in space with one quarter taken out, coloured by a cell array (figures 12 to 14)."""
+"""deformed_<time>: the plies in space with one quarter taken out, coloured by a cell array (figures 12 to
+14)."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable

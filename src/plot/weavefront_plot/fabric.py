@@ -41,7 +41,8 @@ class Fabric:
     def window(self, impact, frames):
         """How far about the impact fabric is deflected in these frames, along x and y, with a margin; in m.
 
-        The window holds the projectile and the elements at the impact, and the whole target where none is deflected.
+        The window holds the projectile and the elements at the impact, and the whole target where none is
+        deflected.
         """
         middle = [impact.x, impact.y]
         away = np.abs(self.results.reference[:, :2] - middle).max(axis=1)

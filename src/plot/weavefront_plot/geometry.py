@@ -5,7 +5,8 @@ import numpy as np
 def crossings(points, quads, side, values):
     """Where the quads cross the surface side = 0, linearly between nodes.
 
-    `side` [n] is a signed distance, `values` [n, m] what is wanted on the cut. Returns segments [k, 2, m] and the quad of each [k].
+    `side` [n] is a signed distance, `values` [n, m] what is wanted on the cut. Returns segments [k, 2, m] and
+    the quad of each [k].
     """
     positive = side[quads] >= 0
     following = np.roll(quads, -1, axis=1)
@@ -51,7 +52,8 @@ def spacing(reference, quads, ply):
 
 
 def extent(points, quads, height, level, origin, direction):
-    """Distance from `origin` of the outermost point in the horizontal `direction` where height [n] is `level`.
+    """Distance from `origin` of the outermost point in the horizontal `direction` where height [n] is
+    `level`.
 
     None where there is no such point.
     """

@@ -20,7 +20,8 @@ class Impact:
         return self.x == 0 and self.y == 0
 
     def distance(self, points):
-        """Horizontal position along the direction [...]: x or y where it is one of these, else from the impact."""
+        """Horizontal position along the direction [...]: x or y where it is one of these, else from the
+        impact."""
         origin = 0.0 if 0.0 in self.along else self.x * self.along[0] + self.y * self.along[1]
         return points[..., 0] * self.along[0] + points[..., 1] * self.along[1] - origin
 

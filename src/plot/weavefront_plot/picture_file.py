@@ -21,7 +21,8 @@ def check_place(path):
 
 
 def write(path, save):
-    """Calls save(temporary path) and renames its result to `path`, so that no half-written file is ever seen."""
+    """Calls save(temporary path) and renames its result to `path`, so that no half-written file is ever
+    seen."""
     check_place(path)
     temporary = path.with_name(f".{path.stem[:100]}.{secrets.token_hex(6)}{path.suffix}")
     try:

@@ -16,7 +16,8 @@ class Raster:
         """Adds triangles.
 
         `corners` [t, 3, 3]: pixels to the right, pixels downwards, and depth towards the viewer in pixels.
-        `faces` [t]: what a pixel remembers of each. `kept(x, y, depth)`: which pixels are drawn, by default all.
+        `faces` [t]: what a pixel remembers of each. `kept(x, y, depth)`: which pixels are drawn, by default
+        all.
         """
         corners, faces = facing(corners, faces)
         for begin, end in chunks(pixels_of_box(corners)):

@@ -123,7 +123,8 @@ class Run:
     def frames(self, times):
         """The frames nearest to `times`, ascending; by default four with the turning frame among them.
 
-        They are spread over the run, or around the turning frame where it comes early, as after a perforation.
+        They are spread over the run, or around the turning frame where it comes early, as after a
+        perforation.
         """
         known = self.results.times
         if times:

@@ -37,7 +37,8 @@ class Space:
             self.edge = self.spacing
 
     def pieces(self, step, shown):
-        """Points in mm of each mirror image, and its elements among `shown` in the window, in part at least."""
+        """Points in mm of each mirror image, and its elements among `shown` in the window, in part at
+        least."""
         points = self.results.points(step) * 1e3
         for sign in images(self.results.symmetry):
             image, near = (

@@ -85,7 +85,8 @@ def series_label(study, series):
 
 
 def draw_front(panel, study, quantity, key, costs, errors):
-    """Rings around the variants that none with the same reference beats in cost and error at once, joined by steps."""
+    """Rings around the variants that none with the same reference beats in cost and error at once, joined by
+    steps."""
     fronts = {}
     for variant, best in zip(study.variants, quantity.fronts.get(key, ())):
         if best and variant.name in errors:

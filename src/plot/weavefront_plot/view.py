@@ -23,7 +23,8 @@ class View:
         return points @ np.array(self.axes()).T
 
     def lit(self, faces, colours, contrast):
-        """Colours [f, 3] of faces [f, 4, 3] lit from the left on both sides; a horizontal one keeps its colour."""
+        """Colours [f, 3] of faces [f, 4, 3] lit from the left on both sides; a horizontal one keeps its
+        colour."""
         right, up, towards = self.axes()
         normals = np.cross(faces[:, 2] - faces[:, 0], faces[:, 3] - faces[:, 1])
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)

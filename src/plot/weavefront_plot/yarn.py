@@ -1,4 +1,5 @@
-"""Stress over strain of one yarn at several rates, from `weavefront yarn` (figure 10 of Ivanov and Tabiei 2004)."""
+"""Stress over strain of one yarn at several rates, from `weavefront yarn` (figure 10 of Ivanov and Tabiei
+2004)."""
 import matplotlib.pyplot as plt
 import numpy as np
 

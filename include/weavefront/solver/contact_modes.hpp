@@ -13,7 +13,7 @@ namespace weavefront::solver {
 /// `stiffness` along the normal on top of it.
 struct ContactModes {
     double stiffness = 0, damping = 0;
-    double tangential = 0;  ///< of friction, 1/s2
+    double tangential = 0;  ///< of friction, clamps included, 1/s2
 };
 
 /// Contact closed everywhere and unloading, on the slope of u k. The highest mode of a free stack of n plies

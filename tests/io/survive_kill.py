@@ -1,5 +1,5 @@
 """Whatever the moment at which its writer is killed, a results file opens and all the frames it counts are
-right: survive_kill.py WRITER MPIEXEC"""
+right: survive_kill.py WRITER MPIEXEC [KILLS]"""
 
 import os
 import random
@@ -13,7 +13,6 @@ from pathlib import Path
 import model
 
 FRAMES = 2000  # more than a writer lives to write
-KILLS = 36
 
 
 def kill_writer(command, ranks, path, delay):
@@ -36,12 +35,13 @@ def kill_writer(command, ranks, path, delay):
 
 
 def main():
-    writer, mpiexec = sys.argv[1:]
+    writer, mpiexec = sys.argv[1:3]
+    kills = int(sys.argv[3]) if len(sys.argv) > 3 else 18
     random.seed(1)
     counted = []
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "results.vtkhdf"
-        for kill in range(KILLS):
+        for kill in range(kills):
             ranks = 2 if kill % 3 == 2 else 1
             # Every other writer has too little room at first, and makes more again and again.
             room = FRAMES if kill % 2 == 0 else 1
@@ -68,8 +68,8 @@ def main():
                 # between them.
                 counted.append(model.check_frames(path, surplus_times=1))
     print("frames read:", counted)
-    assert len(counted) >= 30, "too few kills left a file"
-    assert max(counted) > 5 and len(set(counted)) > 10, "the kills did not fall among the frames"
+    assert len(counted) >= 0.8 * kills, "too few kills left a file"
+    assert max(counted) > 5 and len(set(counted)) > kills / 4, "the kills did not fall among the frames"
 
 
 main()

@@ -114,7 +114,8 @@ def moved_folders_are_noticed(program, folder):
         process = program.start("moved", ranks=ranks)
         (folder / "moved").rename(folder / f"elsewhere {ranks}")
         text = process.communicate(timeout=60)[1]
-        lost = re.search(r"moved/(history\.csv|results\.vtkhdf) is no longer there", text)  # whichever is written to first
+        # Whichever is written to first.
+        lost = re.search(r"moved/(history\.csv|results\.vtkhdf) is no longer there", text)
         assert process.returncode == 3 and lost, (process.returncode, text)
         assert "Ended at t = " in (folder / f"elsewhere {ranks}/run.log").read_text()
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace weavefront::partition {
 
@@ -10,10 +11,6 @@ namespace {
 // Measured from 20 to 180 us in the 267 m/s example and from 17 to 69 us in the 550 m/s one. The zone holds
 // 19 of 20 elements that are near contact.
 constexpr double share_of_speeds = 0.24;
-
-double speed_of(const std::array<double, 3>& velocity) {
-    return std::hypot(velocity[0], velocity[1], velocity[2]);
-}
 
 }  // namespace
 
@@ -34,13 +31,13 @@ double largest_wave_speed(const scene::Scene& scene) {
 
 ContactZone::ContactZone(const scene::Scene& scene) : end_(scene.time.end) {
     plies_ = scene.contact.plies && scene.target->plies.size() > 1;
-    if (!scene.projectile || (!plies_ && !scene.contact.projectile)) return;
-    const auto& projectile = *scene.projectile;
-    axis_ = {projectile.position[0], projectile.position[1]};
-    start_ = projectile.diameter / 2;
+    if (scene.projectiles.empty() || (!plies_ && !scene.contact.projectile)) return;
+    axes_.clear();
+    for (const auto& projectile : scene.projectiles)
+        axes_.push_back({projectile.position[0], projectile.position[1]});
+    start_ = scene.largest_diameter() / 2;
     if (plies_)
-        speed_ = share_of_speeds *
-                 std::cbrt(std::pow(largest_wave_speed(scene), 2) * speed_of(projectile.velocity));
+        speed_ = share_of_speeds * std::cbrt(std::pow(largest_wave_speed(scene), 2) * scene.largest_speed());
 }
 
 double ContactZone::contact_time_share(double distance, double decay) const {
@@ -58,7 +55,10 @@ std::vector<double> ContactZone::distances(const mesh::Panel& panel) const {
     for (std::int64_t column = 0; column < panel.columns(); ++column) {
         const auto corners = panel.footprint(column);
         const Vec3 centre = (panel.position(0, corners[0]) + panel.position(0, corners[2])) / 2;
-        distances.push_back(std::hypot(centre.x() - axis_[0], centre.y() - axis_[1]));
+        double nearest = std::numeric_limits<double>::max();
+        for (const auto& [x, y] : axes_)
+            nearest = std::min(nearest, std::hypot(centre.x() - x, centre.y() - y));
+        distances.push_back(nearest);
     }
     return distances;
 }

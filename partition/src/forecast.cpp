@@ -82,9 +82,7 @@ double over_mean(std::span<const double> values) {
 }  // namespace
 
 double renewals(const scene::Scene& scene, const Machine& machine) {
-    if (!scene.projectile) return 0;
-    const auto& v = scene.projectile->velocity;
-    return machine.searches_per_step * 100 * std::hypot(v[0], v[1], v[2]) / largest_wave_speed(scene);
+    return machine.searches_per_step * 100 * scene.largest_speed() / largest_wave_speed(scene);
 }
 
 Forecast forecast(const scene::Scene& scene, const mesh::Panel& panel, const Decomposition& decomposition,

@@ -28,16 +28,23 @@ std::vector<std::size_t> passed_whole(const solver::Passages& passages) {
     return plies;
 }
 
+/// What to call a projectile: its number where there are several.
+std::string name_of(std::size_t number, std::size_t count) {
+    return count > 1 ? fmt::format("projectile {}", number + 1) : "the projectile";
+}
+
 /// The worst of what contact let through, if anything. @note Collective
 std::string missed_contact(const solver::Simulation& simulation) {
     const auto columns = simulation.panel().columns();
     const auto deepest = simulation.deepest();
     const auto crossed = simulation.crossed_elements();
-    if (const auto plies = passed_whole(simulation.passages()); !plies.empty())
-        return fmt::format(
-            "the projectile has passed whole fabric: ply {}; contact is too soft, or its points or the "
-            "elements are too far apart for it",
-            fmt::join(plies, ", "));
+    const auto& shots = simulation.shots();
+    for (std::size_t p = 0; p < shots.size(); ++p)
+        if (const auto plies = passed_whole(shots[p].passages); !plies.empty())
+            return fmt::format(
+                "{} has passed whole fabric: ply {}; contact is too soft, or its points or the "
+                "elements are too far apart for it",
+                name_of(p, shots.size()), fmt::join(plies, ", "));
     if (crossed.count > 0)
         return fmt::format(
             "{} elements have passed through the next ply, which is whole: the first is element {} of ply {}",
@@ -52,8 +59,7 @@ std::string missed_contact(const solver::Simulation& simulation) {
 
 }  // namespace
 
-std::vector<std::string> closing_warnings(const scene::Scene& scene, const solver::Simulation& simulation,
-                                          const solver::Balance& last) {
+std::vector<std::string> closing_warnings(const solver::Simulation& simulation, const solver::Balance& last) {
     std::vector<std::string> warnings;
     const auto& counts = simulation.counts();
     const double hourglass = counts.largest_hourglass, internal = counts.largest_internal;
@@ -64,7 +70,14 @@ std::vector<std::string> closing_warnings(const scene::Scene& scene, const solve
                         "elements, where a "
                         "finer mesh might show more",
                         hourglass, internal));
-    if (scene.projectile && !counts.touched) warnings.emplace_back("the projectile never touched the target");
+    const auto& shots = simulation.shots();
+    for (std::size_t p = 0; p < shots.size(); ++p)
+        if (!shots[p].touched) warnings.push_back(name_of(p, shots.size()) + " never touched the target");
+    if (const auto& overlap = simulation.projectile_overlap(); overlap.depth > 0)
+        warnings.push_back(fmt::format(
+            "projectiles {} and {} were inside each other, {:.3g} mm deep at t = {:.4g} us: contact between "
+            "projectiles is not computed",
+            overlap.first + 1, overlap.second + 1, overlap.depth * 1e3, overlap.time * 1e6));
     if (const auto missed = missed_contact(simulation); !missed.empty()) warnings.push_back(missed);
     if (counts.lowest_contact_energy < 0)
         warnings.push_back(

@@ -5,13 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "weavefront/scene/scene.hpp"
 #include "weavefront/solver/simulation.hpp"
 
 namespace weavefront::app {
 
 /// One line each. @param last balance of the run @note Collective
-std::vector<std::string> closing_warnings(const scene::Scene& scene, const solver::Simulation& simulation,
-                                          const solver::Balance& last);
+std::vector<std::string> closing_warnings(const solver::Simulation& simulation, const solver::Balance& last);
 
 }  // namespace weavefront::app

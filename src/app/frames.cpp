@@ -1,6 +1,7 @@
 #include "frames.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace weavefront::app {
 
@@ -41,30 +42,46 @@ bool wanted(const std::vector<scene::Field>& fields, scene::Field field) {
     return std::find(fields.begin(), fields.end(), field) != fields.end();
 }
 
-/// Of the points of the projectile's surface, xyz xyz ...
+/// Of the points of the projectiles' surfaces, xyz xyz ...
 struct SurfaceMotion {
     std::vector<double> points, displacements, velocities;  ///< m, m, m/s
 };
 
-SurfaceMotion surface_motion(const solver::Simulation& simulation, const io::Surface& surface) {
-    SurfaceMotion all;
-    const auto& projectile = simulation.model().projectile;
-    if (!projectile) return all;
-    const auto& initial = simulation.initial_projectile();
-    body::Motion motion{projectile->centre(), simulation.projectile_velocity(), {0, 0, 0}};
-    if (projectile->turns()) motion.angular_velocity = simulation.projectile_angular_velocity();
+/// @param points of the projectile's surface, in its axes, m
+void append_motion(const solver::Simulation& simulation, std::size_t number,
+                   std::span<const std::array<double, 3>> points, SurfaceMotion& all) {
+    const auto& projectile = simulation.model().projectiles[number].body;
+    const auto& initial = simulation.shots()[number].initial;
+    body::Motion motion{projectile.centre(), simulation.projectile_velocity(number), {0, 0, 0}};
+    if (projectile.turns()) motion.angular_velocity = simulation.projectile_angular_velocity(number);
     const auto append = [](std::vector<double>& values, const Vec3& vector) {
         values.insert(values.end(), {vector.x(), vector.y(), vector.z()});
     };
-    for (const auto& [x, y, z] : surface.points) {
-        const Vec3 turned = projectile->attitude().to_space({x, y, z}),
-                   point = turned + projectile->position();
+    for (const auto& [x, y, z] : points) {
+        const Vec3 turned = projectile.attitude().to_space({x, y, z}), point = turned + projectile.position();
         append(all.points, point);
-        append(all.displacements, (projectile->position() - initial.position()) +
+        append(all.displacements, (projectile.position() - initial.position()) +
                                       (turned - initial.attitude().to_space({x, y, z})));
         append(all.velocities, motion.at(point));
     }
+}
+
+SurfaceMotion surface_motion(const solver::Simulation& simulation, const ProjectileSurfaces& surfaces) {
+    SurfaceMotion all;
+    std::span<const std::array<double, 3>> rest = surfaces.all.points;
+    for (std::size_t p = 0; p < surfaces.points.size(); ++p) {
+        append_motion(simulation, p, rest.first(surfaces.points[p]), all);
+        rest = rest.subspan(surfaces.points[p]);
+    }
     return all;
+}
+
+/// Which of several projectiles a quad belongs to, 1 = the first; 0: it is fabric.
+io::Array numbers_of_projectiles(const ProjectileSurfaces& surfaces, std::size_t elements) {
+    io::Array numbers{"projectile", 1, false, std::vector<double>(elements), {}};
+    for (std::size_t p = 0; p < surfaces.quads.size(); ++p)
+        numbers.projectile.insert(numbers.projectile.end(), surfaces.quads[p], static_cast<double>(p + 1));
+    return numbers;
 }
 
 }  // namespace
@@ -84,7 +101,7 @@ io::Topology topology_of(const solver::Simulation& simulation) {
     return topology;
 }
 
-io::Frame frame_of(solver::Simulation& simulation, const io::Surface& surface,
+io::Frame frame_of(solver::Simulation& simulation, const ProjectileSurfaces& surfaces,
                    const std::vector<scene::Field>& fields) {
     const auto& fabric = simulation.joined_fabric();
     const auto& model = std::as_const(simulation).model();
@@ -101,7 +118,7 @@ io::Frame frame_of(solver::Simulation& simulation, const io::Surface& surface,
         return values;
     };
     frame.points = vectors([&](std::size_t n) { return nodes.x[n]; });
-    const auto of_surface = surface_motion(simulation, surface);
+    const auto of_surface = surface_motion(simulation, surfaces);
     frame.projectile = of_surface.points;
     if (wanted(fields, scene::Field::displacement))
         frame.point_data.push_back({"displacement", 3, false, vectors([&](std::size_t n) -> Vec3 {
@@ -130,6 +147,7 @@ io::Frame frame_of(solver::Simulation& simulation, const io::Surface& surface,
         for (std::size_t c = 0; c < cells.size(); ++c) frame.cell_data[c].values[e] = cells[c].value(output);
     }
     frame.cell_data.push_back(std::move(joined));
+    if (surfaces.quads.size() > 1) frame.cell_data.push_back(numbers_of_projectiles(surfaces, elements));
     return frame;
 }
 

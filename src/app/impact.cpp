@@ -49,7 +49,7 @@ class Impact::Run {
           log_(directory.path(), comm, options.terminal,
                options.restart ? io::LogStart::continued : io::LogStart::anew),
           report_(scene, comm, log_),
-          surface_(projectile_surface(scene)),
+          surfaces_(projectile_surfaces(scene)),
           simulation_(scene, comm),
           rows_(scene.output.history),
           frames_(scene.output.interval),
@@ -208,7 +208,7 @@ class Impact::Run {
     void write_frame() {
         const solver::Timed timed(simulation_.seconds(), solver::Phase::output);
         history_->require_in_place();
-        results_->write(frame_of(simulation_, surface_, scene_.output.fields));
+        results_->write(frame_of(simulation_, surfaces_, scene_.output.fields));
         last_frame_ = simulation_.time();
     }
 
@@ -305,8 +305,8 @@ class Impact::Run {
     [[nodiscard]] io::ResultsSetup setup() {
         return {directory_.path() / "results.vtkhdf",
                 topology_of(simulation_),
-                surface_,
-                frame_of(simulation_, surface_, scene_.output.fields),
+                surfaces_.all,
+                frame_of(simulation_, surfaces_, scene_.output.fields),
                 expected_frames(),
                 scene_.resolved,
                 WEAVEFRONT_VERSION};
@@ -317,7 +317,7 @@ class Impact::Run {
     io::OutputDirectory& directory_;
     io::Log log_;
     RunReport report_;
-    io::Surface surface_;
+    ProjectileSurfaces surfaces_;
     solver::Simulation simulation_;
     OutputSchedule rows_, frames_;
     CheckpointSchedule checkpoints_;

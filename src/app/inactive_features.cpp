@@ -23,7 +23,7 @@ std::vector<std::string> inactive_features(const scene::Scene& scene, int ranks)
     unless(any_fabric([](const auto& f) { return f.friction > 0; }), "yarn friction (no friction)");
     unless(any_fabric([](const auto& f) { return f.transverse_shear > 0; }),
            "transverse shear (no transverse_shear: hourglass control resists warping)");
-    unless(scene.projectile.has_value(), "projectile and its contact (no projectile)");
+    unless(!scene.projectiles.empty(), "projectile and its contact (no projectile)");
     unless(scene.contact.plies && scene.target && scene.target->plies.size() > 1,
            "contact between plies (no contact.plies, or a single ply)");
     unless(scene.has_contact_friction(), "friction of contact (no friction of a contact)");

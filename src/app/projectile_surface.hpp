@@ -1,13 +1,18 @@
 #pragma once
 /// @file
-/// The projectile as pictures show it.
+/// Projectiles as pictures show them.
 
 #include "weavefront/io/rows.hpp"
 #include "weavefront/scene/scene.hpp"
 
 namespace weavefront::app {
 
-/// Quads of the projectile's surface relative to its nose; empty without a projectile.
-io::Surface projectile_surface(const scene::Scene& scene);
+/// Quads of the surfaces of all projectiles, each relative to its nose; empty without a projectile.
+struct ProjectileSurfaces {
+    io::Surface all;
+    std::vector<std::size_t> points, quads;  ///< of each projectile, how many
+};
+
+ProjectileSurfaces projectile_surfaces(const scene::Scene& scene);
 
 }  // namespace weavefront::app

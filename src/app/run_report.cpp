@@ -63,7 +63,7 @@ std::vector<std::optional<double>> first_breaks(const solver::Counts& counts,
 
 /// @note Collective
 io::ShotOutcome shot_outcome(const solver::Simulation& simulation) {
-    const auto found = solver::outcome_of(simulation);
+    const auto found = solver::outcome_of(simulation.shots().front());
     const auto deepest = simulation.deepest();
     io::ShotOutcome outcome;
     outcome.verdict = solver::name_of(found.verdict);
@@ -78,11 +78,30 @@ io::ShotOutcome shot_outcome(const solver::Simulation& simulation) {
     return outcome;
 }
 
-std::string outcome_text(const io::ShotOutcome& outcome, std::size_t plies) {
+/// @param last balance, without projectiles where a run has ended before its first row
+std::vector<io::ProjectileOutcome> projectile_outcomes(const solver::Simulation& simulation,
+                                                       const solver::Balance& last) {
+    std::vector<io::ProjectileOutcome> outcomes;
+    for (std::size_t p = 0; p < simulation.shots().size(); ++p) {
+        const auto found = solver::outcome_of(simulation.shots()[p]);
+        outcomes.push_back({std::string(solver::name_of(found.verdict)), found.decided_at,
+                            found.plies_perforated,
+                            p < last.projectiles.size() ? last.projectiles[p].velocity.z() : 0});
+    }
+    return outcomes;
+}
+
+std::string outcome_text(const io::ProjectileOutcome& outcome, std::size_t plies) {
     const auto when =
         outcome.decided_at ? fmt::format(" at t = {:.4g} us", *outcome.decided_at * 1e6) : std::string();
-    return fmt::format("{}{}: {} of {} plies perforated, back face at most {:.3f} mm", outcome.verdict, when,
-                       outcome.plies_perforated, plies, outcome.peak_back_face_deflection * 1e3);
+    return fmt::format("{}{}: {} of {} plies perforated", outcome.verdict, when, outcome.plies_perforated,
+                       plies);
+}
+
+std::string description_of(const scene::Projectile& projectile) {
+    const auto later = projectile.delay > 0 ? fmt::format(", {:.4g} us later", projectile.delay * 1e6) : "";
+    return fmt::format("{} of {:.4g} g, {:.4g} mm across, {:.6g} m/s{}", scene::shape_name(projectile.shape),
+                       projectile.mass * 1e3, projectile.diameter * 1e3, projectile.speed(), later);
 }
 
 }  // namespace
@@ -90,9 +109,15 @@ std::string outcome_text(const io::ShotOutcome& outcome, std::size_t plies) {
 io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     io::HistoryRow row;
     row.time = b.time;
-    row.projectile = array_of(b.projectile);
-    row.projectile_velocity = array_of(b.projectile_velocity);
-    row.contact_force = array_of(b.contact_force);
+    for (const auto& now : b.projectiles) {
+        io::ProjectileRow projectile{
+            array_of(now.position), array_of(now.velocity), array_of(now.contact_force), {}};
+        if (now.rotation)
+            projectile.rotation =
+                io::Rotation{now.rotation->attitude, array_of(now.rotation->angular_velocity),
+                             array_of(now.rotation->moment)};
+        row.projectiles.push_back(projectile);
+    }
     row.kinetic_fabric = b.kinetic_fabric;
     row.kinetic_projectile = b.kinetic_projectile;
     row.internal = b.internal;
@@ -116,17 +141,16 @@ io::HistoryRow row_of(const solver::Balance& b, std::int64_t columns) {
     row.debris_elements = b.debris_elements;
     row.debris_mass = b.debris_mass;
     row.debris_displacement = b.debris_displacement;
-    if (b.rotation)
-        row.rotation = io::Rotation{b.rotation->attitude, array_of(b.rotation->angular_velocity),
-                                    array_of(b.rotation->moment)};
     row.contact_friction = b.contact_friction;
     return row;
 }
 
 io::HistoryRow history_layout(const solver::Simulation& simulation) {
     io::HistoryRow layout;
-    const auto& projectile = simulation.model().projectile;
-    if (projectile && projectile->turns()) layout.rotation.emplace();
+    for (const auto& projectile : simulation.model().projectiles) {
+        layout.projectiles.emplace_back();
+        if (projectile.body.turns()) layout.projectiles.back().rotation.emplace();
+    }
     if (simulation.has_contact_friction()) layout.contact_friction = 0;
     return layout;
 }
@@ -152,10 +176,8 @@ void RunReport::start(const solver::Simulation& simulation) {
         log_.info(fmt::format("  fabric        {}: {} formulation, {:.4g} g/m2, t_e = {:.4g} mm", fabric.name,
                               fabric.formulation == scene::Formulation::consistent ? "consistent" : "paper",
                               fabric.areal_density * 1e3, fabric.effective_thickness() * 1e3));
-    if (scene_.projectile)
-        log_.info(fmt::format("  projectile    {} of {:.4g} g, {:.4g} mm across, {:.6g} m/s",
-                              scene::shape_name(scene_.projectile->shape), scene_.projectile->mass * 1e3,
-                              scene_.projectile->diameter * 1e3, model.projectile->velocity().norm()));
+    for (const auto& projectile : scene_.projectiles)
+        log_.info("  projectile    " + description_of(projectile));
     log_.info(fmt::format("  ranks         {}, {:.1f} MB in all for mesh and fabric", comm_.size(),
                           static_cast<double>(bytes[0]) / 1e6));
     log_.info(fmt::format("  time step     {:.4g} ns, about {:.0f} steps to {:.6g} us",
@@ -175,8 +197,11 @@ void RunReport::tell_lack_of_shared_memory(const solver::Simulation& simulation)
 }
 
 std::string RunReport::projectile_text(const solver::Simulation& simulation) {
-    const auto& projectile = simulation.model().projectile;
-    return projectile ? fmt::format("projectile {:.1f} m/s", projectile->velocity().z()) : "";
+    const auto& projectiles = simulation.model().projectiles;
+    if (projectiles.empty()) return "";
+    const auto rest = projectiles.size() - 1;
+    return fmt::format("projectile {:.1f} m/s{}", projectiles.front().body.velocity().z(),
+                       rest > 0 ? fmt::format(" and {} more", rest) : "");
 }
 
 void RunReport::rebalanced(const solver::Simulation& simulation, const solver::Rebalancing& rebalancing) {
@@ -231,10 +256,12 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     const double wall = comm_.max(computed);
     summary.nanoseconds_per_element_step =
         wall * 1e9 * comm_.size() / static_cast<double>(std::max<std::int64_t>(summary.element_steps, 1));
-    if (scene_.projectile) {
-        summary.residual_velocity = last.projectile_velocity.z();
+    const auto outcomes = projectile_outcomes(simulation, last);
+    if (!outcomes.empty()) {
+        summary.residual_velocity = outcomes.front().residual_velocity;
         summary.outcome = shot_outcome(simulation);
     }
+    if (outcomes.size() > 1) summary.projectiles = outcomes;
     summary.max_displacement = simulation.counts().max_displacement;
     summary.back_face_deflection = simulation.counts().back_face_deflection;
     summary.energy_error = last.energy_error;
@@ -246,12 +273,12 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
     log_.info(fmt::format("{}{} at t = {:.6g} us after {} steps: {}",
                           static_cast<char>(std::toupper(summary.status[0])), summary.status.substr(1),
                           summary.time * 1e6, summary.steps, summary.reason));
-    if (summary.outcome)
-        log_.info("  outcome       " + outcome_text(*summary.outcome, simulation.panel().plies.size()));
-    if (summary.residual_velocity)
-        log_.info(fmt::format(
-            "  projectile    {:.2f} m/s along z; largest displacement {:.3f} mm, of the back face {:.3f} mm",
-            *summary.residual_velocity, summary.max_displacement * 1e3, summary.back_face_deflection * 1e3));
+    for (const auto& outcome : outcomes)
+        log_.info(fmt::format("  outcome       {}; {:.2f} m/s along z",
+                              outcome_text(outcome, simulation.panel().plies.size()),
+                              outcome.residual_velocity));
+    log_.info(fmt::format("  displacement  at most {:.3f} mm, of the back face {:.3f} mm",
+                          summary.max_displacement * 1e3, summary.back_face_deflection * 1e3));
     log_.info(fmt::format("  fabric        {} yarns broken (element-directions), {} elements eroded",
                           last.broken_yarns, last.eroded_elements));
     log_.info(
@@ -260,7 +287,7 @@ void RunReport::finish(solver::Simulation& simulation, const solver::Balance& la
                     "{:.3g} J",
                     simulation.counts().largest_closure_error * 100, last.transferred_energy, last.internal,
                     last.hourglass, last.contact));
-    for (const auto& warning : closing_warnings(scene_, simulation, last)) log_.warn(warning);
+    for (const auto& warning : closing_warnings(simulation, last)) log_.warn(warning);
     tell_lack_of_shared_memory(simulation);
     for (const auto& phase : summary.wall_seconds)
         log_.info(fmt::format("  {:<13} {:.2f} / {:.2f} / {:.2f} s (least, mean, most over the ranks)",

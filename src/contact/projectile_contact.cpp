@@ -17,8 +17,9 @@ bool is_upright(const body::RigidBody& projectile) {
 ProjectileContact::ProjectileContact(std::shared_ptr<const body::Shape> shape,
                                      const body::RigidBody& projectile, const scene::ContactLaw& law,
                                      std::optional<double> spacing, const Surface& surface,
-                                     std::span<const Vec3> x)
-    : shape_(std::move(shape)),
+                                     std::span<const Vec3> x, std::uint16_t number)
+    : number_(number),
+      shape_(std::move(shape)),
       bounds_(shape_->bounds()),
       is_upright_(is_upright(projectile)),
       search_radius_(is_upright_ ? shape_->radius() : (bounds_.high - bounds_.low).norm() / 2),
@@ -89,7 +90,8 @@ void ProjectileContact::evaluate(const Surface& surface, NodalNormals& normals, 
                              .away = (box.low + box.high) / 2 - centre,
                              .motion = motion,
                              .turns = projectile.turns(),
-                             .friction = friction_ ? &*friction_ : nullptr};
+                             .friction = friction_ ? &*friction_ : nullptr,
+                             .projectile = number_};
         const auto depth = [&](const Vec3& at, Point& point) {
             auto found = shape_->depth(projectile.to_body(at), offset, point.face);
             if (found) found->normal = projectile.attitude().to_space(found->normal);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -16,58 +18,64 @@ namespace weavefront::io {
 namespace {
 
 struct Column {
-    const char* name;
+    std::string name;
     std::variant<double, std::int64_t> value;
 };
 
+void add_vector(std::vector<Column>& all, const std::string& name, const std::array<double, 3>& vector) {
+    for (std::size_t d = 0; d < 3; ++d) all.push_back({name + "xyz"[d], vector[d]});
+}
+
+/// @param number empty for the first projectile
+void add_motion(std::vector<Column>& all, const std::string& number, const ProjectileRow& projectile) {
+    add_vector(all, "projectile" + number + "_", projectile.position);
+    add_vector(all, "projectile" + number + "_v", projectile.velocity);
+    add_vector(all, "contact" + number + "_f", projectile.contact_force);
+}
+
+void add_rotation(std::vector<Column>& all, const std::string& number, const ProjectileRow& projectile) {
+    if (!projectile.rotation) return;
+    const auto& [attitude, angular_velocity, moment] = *projectile.rotation;
+    for (std::size_t i = 0; i < 4; ++i)
+        all.push_back({"projectile" + number + "_q" + "wxyz"[i], attitude[i]});
+    add_vector(all, "projectile" + number + "_w", angular_velocity);
+    add_vector(all, "contact" + number + "_m", moment);
+}
+
 // The order is that of the file.
 std::vector<Column> columns(const HistoryRow& row) {
-    std::vector<Column> all{{"time", row.time},
-                            {"projectile_x", row.projectile[0]},
-                            {"projectile_y", row.projectile[1]},
-                            {"projectile_z", row.projectile[2]},
-                            {"projectile_vx", row.projectile_velocity[0]},
-                            {"projectile_vy", row.projectile_velocity[1]},
-                            {"projectile_vz", row.projectile_velocity[2]},
-                            {"contact_fx", row.contact_force[0]},
-                            {"contact_fy", row.contact_force[1]},
-                            {"contact_fz", row.contact_force[2]},
-                            {"kinetic_fabric", row.kinetic_fabric},
-                            {"kinetic_projectile", row.kinetic_projectile},
-                            {"internal", row.internal},
-                            {"hourglass", row.hourglass},
-                            {"contact", row.contact},
-                            {"friction", row.friction},
-                            {"damping", row.damping},
-                            {"external", row.external},
-                            {"eroded", row.eroded},
-                            {"energy_error", row.energy_error},
-                            {"broken_yarns", row.broken_yarns},
-                            {"eroded_elements", row.eroded_elements},
-                            {"max_displacement", row.max_displacement},
-                            {"time_step", row.time_step},
-                            {"back_face_deflection", row.back_face_deflection},
-                            {"penetration", row.penetration},
-                            {"penetration_x", row.penetration_at[0]},
-                            {"penetration_y", row.penetration_at[1]},
-                            {"penetration_ply", row.penetration_ply},
-                            {"debris_elements", row.debris_elements},
-                            {"debris_mass", row.debris_mass},
-                            {"debris_displacement", row.debris_displacement}};
-    if (row.rotation) {
-        const auto& [attitude, angular_velocity, moment] = *row.rotation;
-        all.insert(all.end(), {{"projectile_qw", attitude[0]},
-                               {"projectile_qx", attitude[1]},
-                               {"projectile_qy", attitude[2]},
-                               {"projectile_qz", attitude[3]},
-                               {"projectile_wx", angular_velocity[0]},
-                               {"projectile_wy", angular_velocity[1]},
-                               {"projectile_wz", angular_velocity[2]},
-                               {"contact_mx", moment[0]},
-                               {"contact_my", moment[1]},
-                               {"contact_mz", moment[2]}});
-    }
+    const auto first = row.projectiles.empty() ? ProjectileRow() : row.projectiles.front();
+    std::vector<Column> all{{"time", row.time}};
+    add_motion(all, "", first);
+    const std::array of_whole{Column{"kinetic_fabric", row.kinetic_fabric},
+                              Column{"kinetic_projectile", row.kinetic_projectile},
+                              Column{"internal", row.internal},
+                              Column{"hourglass", row.hourglass},
+                              Column{"contact", row.contact},
+                              Column{"friction", row.friction},
+                              Column{"damping", row.damping},
+                              Column{"external", row.external},
+                              Column{"eroded", row.eroded},
+                              Column{"energy_error", row.energy_error},
+                              Column{"broken_yarns", row.broken_yarns},
+                              Column{"eroded_elements", row.eroded_elements},
+                              Column{"max_displacement", row.max_displacement},
+                              Column{"time_step", row.time_step},
+                              Column{"back_face_deflection", row.back_face_deflection},
+                              Column{"penetration", row.penetration},
+                              Column{"penetration_x", row.penetration_at[0]},
+                              Column{"penetration_y", row.penetration_at[1]},
+                              Column{"penetration_ply", row.penetration_ply},
+                              Column{"debris_elements", row.debris_elements},
+                              Column{"debris_mass", row.debris_mass},
+                              Column{"debris_displacement", row.debris_displacement}};
+    all.insert(all.end(), of_whole.begin(), of_whole.end());
+    add_rotation(all, "", first);
     if (row.contact_friction) all.push_back({"contact_friction", *row.contact_friction});
+    for (std::size_t p = 1; p < row.projectiles.size(); ++p) {
+        add_motion(all, std::to_string(p + 1), row.projectiles[p]);
+        add_rotation(all, std::to_string(p + 1), row.projectiles[p]);
+    }
     return all;
 }
 
@@ -84,7 +92,7 @@ std::string cell(const Column& column, double time) {
 
 std::string history_header(const HistoryRow& layout) {
     std::vector<std::string> names;
-    for (const auto& column : columns(layout)) names.emplace_back(column.name);
+    for (const auto& column : columns(layout)) names.push_back(column.name);
     return fmt::format("{}", fmt::join(names, ","));
 }
 

@@ -27,36 +27,45 @@ Json to_json(const std::optional<ShotOutcome>& outcome) {
             {"deepest_time", to_json(outcome->deepest_time)}};
 }
 
+Json to_json(const ProjectileOutcome& outcome) {
+    return {{"verdict", outcome.verdict},
+            {"decided_at", to_json(outcome.decided_at)},
+            {"plies_perforated", outcome.plies_perforated},
+            {"residual_velocity", outcome.residual_velocity}};
+}
+
 Json to_json(const Summary& summary) {
     Json phases = Json::object();
     Json first_break = Json::array();
     for (const auto& time : summary.first_break) first_break.push_back(to_json(time));
     for (const auto& phase : summary.wall_seconds)
         phases[phase.name] = {{"min", phase.min}, {"mean", phase.mean}, {"max", phase.max}};
-    return {{"status", summary.status},
-            {"reason", summary.reason},
-            {"title", summary.title},
-            {"scene_hash", summary.scene_hash},
-            {"versions", summary.versions},
-            {"ranks", summary.ranks},
-            {"elements", summary.elements},
-            {"nodes", summary.nodes},
-            {"steps", summary.steps},
-            {"time", summary.time},
-            {"wall_seconds", phases},
-            {"element_steps", summary.element_steps},
-            {"nanoseconds_per_element_step", summary.nanoseconds_per_element_step},
-            {"outcome", to_json(summary.outcome)},
-            {"residual_velocity", to_json(summary.residual_velocity)},
-            {"max_displacement", summary.max_displacement},
-            {"back_face_deflection", summary.back_face_deflection},
-            {"energy_error", summary.energy_error},
-            {"broken_yarns", summary.broken_yarns},
-            {"eroded_elements", summary.eroded_elements},
-            {"first_break", first_break},
-            {"left_out", summary.left_out},
-            {"history_sha256", summary.history_sha256},
-            {"results_sha256", summary.results_sha256}};
+    Json json{{"status", summary.status},
+              {"reason", summary.reason},
+              {"title", summary.title},
+              {"scene_hash", summary.scene_hash},
+              {"versions", summary.versions},
+              {"ranks", summary.ranks},
+              {"elements", summary.elements},
+              {"nodes", summary.nodes},
+              {"steps", summary.steps},
+              {"time", summary.time},
+              {"wall_seconds", phases},
+              {"element_steps", summary.element_steps},
+              {"nanoseconds_per_element_step", summary.nanoseconds_per_element_step},
+              {"outcome", to_json(summary.outcome)},
+              {"residual_velocity", to_json(summary.residual_velocity)},
+              {"max_displacement", summary.max_displacement},
+              {"back_face_deflection", summary.back_face_deflection},
+              {"energy_error", summary.energy_error},
+              {"broken_yarns", summary.broken_yarns},
+              {"eroded_elements", summary.eroded_elements},
+              {"first_break", first_break},
+              {"left_out", summary.left_out},
+              {"history_sha256", summary.history_sha256},
+              {"results_sha256", summary.results_sha256}};
+    for (const auto& projectile : summary.projectiles) json["projectiles"].push_back(to_json(projectile));
+    return json;
 }
 
 // JSON has no infinities: the library would write null, which reads as "does not apply".

@@ -74,8 +74,9 @@ Panel make_panel(const scene::Scene& scene) {
     Panel panel;
     const auto line = [&](std::size_t axis) {
         const double half = target.size[axis] / 2;
-        const double fine =
-            target.symmetry[axis] || !scene.projectile ? 0.0 : scene.projectile->position[axis];
+        const double fine = target.symmetry[axis] || scene.projectiles.empty()
+                                ? 0.0
+                                : scene.projectiles.front().position[axis];
         return graded_line(target.symmetry[axis] ? 0.0 : -half, half, fine, target.mesh);
     };
     panel.x = line(0);

@@ -7,8 +7,8 @@
 
 namespace weavefront::scene {
 
-/// Replaces the key `standard` of the projectile by the values of that projectile. Values of the scene come
+/// Replaces the key `standard` of each projectile by the values of that projectile. Values of the scene come
 /// before those of the library.
-void insert_standard_projectile(Value& scene, Findings& findings);
+void insert_standard_projectiles(Value& scene, Findings& findings);
 
 }  // namespace weavefront::scene

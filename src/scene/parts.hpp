@@ -25,8 +25,9 @@ Target read_target(Section& section, std::span<const Fabric> fabrics);
 std::vector<Ply> read_plies(Section& target, std::span<const Fabric> fabrics,
                             const std::array<bool, 2>& symmetry);
 
-/// `projectile`. @param target null when the scene has none
-Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target);
+/// `projectile`, or the list `projectiles`. @param target null when the scene has none
+std::vector<Projectile> read_projectiles(Section& scene, std::span<const Fabric> fabrics,
+                                         const Target* target);
 
 /// Shape and mass of a projectile.
 void read_shape(Section& section, Projectile& projectile);
@@ -42,7 +43,7 @@ std::optional<Friction> read_friction(Section& section, std::optional<double> ot
 void read_supports(Section& target_section, Target& target);
 
 /// `contact`. @param target null: there is none
-Contact read_contact(Section& section, const Target* target, const Projectile* projectile);
+Contact read_contact(Section& section, const Target* target, std::span<const Projectile> projectiles);
 
 /// `time`.
 Scene::Time read_time(Section& section);

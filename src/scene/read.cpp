@@ -29,11 +29,11 @@ Scene read_parts(Section& root, Need need) {
     scene.target = read_part(root, "target", need,
                              [&](Section& section) { return read_target(section, scene.fabrics); });
     const Target* target = scene.target ? &*scene.target : nullptr;
-    scene.projectile = root.optional(
-        "projectile", [&](Section& section) { return read_projectile(section, scene.fabrics, target); });
-    const Projectile* projectile = scene.projectile ? &*scene.projectile : nullptr;
+    scene.projectiles = read_projectiles(root, scene.fabrics, target);
+    scene.has_projectile_list = root.has("projectiles");
     scene.contact =
-        root.optional("contact", [&](Section& section) { return read_contact(section, target, projectile); })
+        root.optional("contact",
+                      [&](Section& section) { return read_contact(section, target, scene.projectiles); })
             .value_or(scene.contact);
     scene.damping = root.quantity("damping", rate, non_negative, 0);
     scene.time = read_part(root, "time", need, read_time).value_or(scene.time);
@@ -44,7 +44,7 @@ Scene read_parts(Section& root, Need need) {
                    }).value_or(scene.output);
 
     root.refuse_if(root.has_map("fabrics") && scene.fabrics.empty(), "fabrics", "at least one fabric");
-    root.refuse_if(scene.projectile && !root.has("contact"), "contact",
+    root.refuse_if(!scene.projectiles.empty() && !root.has("contact"), "contact",
                    "a map with the key projectile, since there is a projectile, such as {projectile: {}}");
     root.options_of_run({"checkpoint", "restart"});
     root.unavailable({"subcycling"});
@@ -80,7 +80,7 @@ Scene parse_changed_scene(const std::string& text, const std::string& name, cons
         context.findings.raise();
     }
     insert_library_fabrics(document, context.findings);
-    insert_standard_projectile(document, context.findings);
+    insert_standard_projectiles(document, context.findings);
     Section root(document, start, "", context);
     Scene scene = read_parts(root, need);
     root.refuse_unknown();

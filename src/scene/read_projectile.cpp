@@ -10,6 +10,11 @@
 namespace weavefront::scene {
 namespace {
 
+constexpr double farthest = 1000;  // m: where no shot begins
+
+// Every rank moves all of them, and each has a group of columns in history.csv.
+constexpr std::size_t most_projectiles = 100;
+
 // The shot must start in front of the target, hit it, and lie in the planes of symmetry.
 void check_shot(Section& section, const Projectile& projectile, const Target& target, double foremost) {
     const double rounding = 1e-9;
@@ -54,8 +59,6 @@ double reach_ahead(const Projectile& projectile) {
            std::max(along * ahead, -along * (projectile.length - ahead));
 }
 
-}  // namespace
-
 Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, const Target* target) {
     Projectile projectile;
     read_shape(section, projectile);
@@ -67,8 +70,31 @@ Projectile read_projectile(Section& section, std::span<const Fabric> fabrics, co
     projectile.position =
         section.vector<3>("position", length, any_value, std::array<double, 3>{0, 0, foremost});
     projectile.velocity = section.vector<3>("velocity", speed, any_value);
+    projectile.delay = section.quantity("delay", duration, non_negative, 0);
+    section.refuse_if(projectile.delay * projectile.speed() > farthest, "delay",
+                      fmt::format("one with which it starts at most {} m behind its position", farthest));
     if (hits_fabric) check_shot(section, projectile, *target, foremost);
     return projectile;
+}
+
+}  // namespace
+
+std::vector<Projectile> read_projectiles(Section& scene, std::span<const Fabric> fabrics,
+                                         const Target* target) {
+    const auto read = [&](Section& section) { return read_projectile(section, fabrics, target); };
+    const bool has_single = scene.has("projectile");
+    if (!scene.has("projectiles")) {
+        const auto single = scene.optional("projectile", read);
+        return single ? std::vector{*single} : std::vector<Projectile>();
+    }
+    constexpr std::string_view allowed = "a list of maps, each as that of projectile";
+    scene.refuse_if(has_single, "projectiles", "none beside projectile");
+    scene.refuse_if(!scene.has_list("projectiles"), "projectiles", allowed);
+    if (!scene.has_list("projectiles")) return {};
+    const auto count = scene.raw("projectiles")->value.items.size();
+    scene.require_at_most("projectiles", count, most_projectiles, "projectiles");
+    scene.refuse_if(count == 0, "projectiles", allowed);
+    return scene.list("projectiles", read);
 }
 
 }  // namespace weavefront::scene

@@ -3,6 +3,7 @@
 #include <yaml-cpp/emitter.h>
 
 #include <iterator>
+#include <sstream>
 
 #include "parts.hpp"
 
@@ -168,7 +169,6 @@ void write_dimensions(std::string& text, const Projectile& p) {
 }
 
 void write_projectile(std::string& text, const Projectile& p, const std::array<bool, 2>& symmetry) {
-    line(text, "projectile:");
     line(text, "  shape: {}", shape_name(p.shape));
     const bool derived = p.shape == Shape::profile || p.shape == Shape::box ||
                          p.shape == Shape::ring_segment || p.shape == Shape::mesh;
@@ -177,6 +177,7 @@ void write_projectile(std::string& text, const Projectile& p, const std::array<b
     line(text, "  mass: {} kg", p.mass);
     line(text, "  position: [{} m, {} m, {} m]", p.position[0], p.position[1], p.position[2]);
     line(text, "  velocity: [{} m/s, {} m/s, {} m/s]", p.velocity[0], p.velocity[1], p.velocity[2]);
+    if (p.delay > 0) line(text, "  delay: {} s", p.delay);
     if (p.attitude != std::array<double, 4>{1, 0, 0, 0})
         line(text, "  orientation: {{quaternion: [{}]}}", fmt::join(p.attitude, ", "));
     if (p.angular_velocity != std::array<double, 3>{0, 0, 0})
@@ -184,6 +185,23 @@ void write_projectile(std::string& text, const Projectile& p, const std::array<b
     if (p.inertia) line(text, "  inertia: [{} kg m^2]", fmt::join(*p.inertia, " kg m^2, "));
     const bool is_held_by_symmetry = symmetry[0] && symmetry[1];
     if (!p.turns && !is_held_by_symmetry) line(text, "  fixed: rotation");
+}
+
+void write_projectiles(std::string& text, const std::vector<Projectile>& projectiles,
+                       const std::array<bool, 2>& symmetry) {
+    if (projectiles.empty()) return;
+    if (projectiles.size() == 1) {
+        line(text, "projectile:");
+        return write_projectile(text, projectiles.front(), symmetry);
+    }
+    line(text, "projectiles:");
+    for (const auto& projectile : projectiles) {
+        std::string keys, row;
+        write_projectile(keys, projectile, symmetry);
+        std::istringstream rows(keys);
+        for (std::string_view indent = "  - "; std::getline(rows, row); indent = "    ")
+            line(text, "{}{}", indent, row.substr(2));
+    }
 }
 
 void write_law(std::string& text, std::string_view key, const std::optional<ContactLaw>& law) {
@@ -216,9 +234,8 @@ std::string resolved_text(const Scene& scene) {
     line(text, "fabrics:");
     for (const Fabric& fabric : scene.fabrics) write_fabric(text, fabric);
     if (scene.target) write_target(text, *scene.target, scene.fabrics);
-    if (scene.projectile)
-        write_projectile(text, *scene.projectile,
-                         scene.target ? scene.target->symmetry : std::array{false, false});
+    write_projectiles(text, scene.projectiles,
+                      scene.target ? scene.target->symmetry : std::array{false, false});
     write_contact(text, scene.contact, scene.target && scene.target->frame);
     line(text, "damping: {} 1/s", scene.damping);
     if (scene.time.end > 0)

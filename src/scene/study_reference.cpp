@@ -13,8 +13,9 @@
 namespace weavefront::scene {
 namespace {
 
-constexpr std::array<std::string_view, 9> scene_keys{"title",   "fabrics", "target", "projectile", "contact",
-                                                     "damping", "time",    "limits", "output"};
+constexpr std::array<std::string_view, 10> scene_keys{"title",       "fabrics", "target",  "projectile",
+                                                      "projectiles", "contact", "damping", "time",
+                                                      "limits",      "output"};
 constexpr std::string_view path_name = "reference.variant";
 
 std::vector<std::string> labels_of(const Axis& axis) {

@@ -90,7 +90,7 @@ void Assembly::distribute(const std::array<std::int32_t, 4>& nodes, const std::a
 }
 
 void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums,
-                        FixedVector& on_projectile) {
+                        FixedVector* on_projectile) {
     FixedVector total{}, opposite{};
     for (std::size_t d = 0; d < 3; ++d) {
         const auto component = static_cast<Eigen::Index>(d);
@@ -107,7 +107,7 @@ void Assembly::add_pair(const contact::PairForce& pair, std::vector<FixedVector>
     }
     distribute(pair.slave, pair.on_slave, total, sums);
     if (pair.kind == contact::Master::projectile)
-        for (std::size_t d = 0; d < 3; ++d) on_projectile[d] += opposite[d];
+        for (std::size_t d = 0; d < 3; ++d) (*on_projectile)[d] += opposite[d];
     else if (pair.kind == contact::Master::facet)
         distribute(pair.master, pair.on_master, opposite, sums);
 }

@@ -153,16 +153,17 @@ const JoinedFabric& Simulation::joined_fabric() const {
     return joined_;
 }
 
-void Simulation::add_projectile(Balance& balance) const {
-    if (!model_.projectile) return;
-    const auto& p = *model_.projectile;
-    balance.projectile = p.position();
-    balance.projectile_velocity = projectile_velocity();
-    balance.contact_force = on_projectile_.force;
-    balance.kinetic_projectile = p.kinetic_energy(on_projectile_, clock_.last_dt);
-    if (p.turns())
-        balance.rotation =
-            Rotation{p.attitude().quaternion(), projectile_angular_velocity(), on_projectile_.moment};
+void Simulation::add_projectiles(Balance& balance) const {
+    for (std::size_t p = 0; p < shots_.size(); ++p) {
+        const auto& body = model_.projectiles[p].body;
+        const auto& wrench = shots_[p].wrench;
+        ProjectileNow now{body.position(), projectile_velocity(p), wrench.force, {}};
+        if (body.turns())
+            now.rotation =
+                Rotation{body.attitude().quaternion(), projectile_angular_velocity(p), wrench.moment};
+        balance.projectiles.push_back(now);
+        balance.kinetic_projectile += body.kinetic_energy(wrench, clock_.last_dt);
+    }
 }
 
 void Simulation::close(Balance& balance) const {
@@ -224,7 +225,7 @@ Balance Simulation::balance() const {
     balance.back_face_deflection = largest.of_back_face;
     balance.debris_displacement = largest.of_debris;
     balance.deepest = deepest();
-    add_projectile(balance);
+    add_projectiles(balance);
     close(balance);
     balance.folded_elements = counted(LedgerSums::folded);
     return balance;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "weavefront/scene/trigonometry.hpp"
 
@@ -58,6 +60,47 @@ double clamp_mode(const scene::Scene& scene, double lightest) {
     return highest;
 }
 
+/// kg/m2
+double mass_per_area(const scene::Projectile& projectile) {
+    const double radius = projectile.diameter / 2;
+    return projectile.mass / (std::numbers::pi * radius * radius);
+}
+
+/// Of fabric between two of some bodies at the most: each part is the sum of its two largest values.
+ContactModes of_two(std::span<const ContactModes> bodies) {
+    const auto largest = [&](double ContactModes::*part) {
+        double first = 0, second = 0;
+        for (const auto& modes : bodies) {
+            const double value = modes.*part;
+            second = std::max(second, std::min(first, value));
+            first = std::max(first, value);
+        }
+        return first + second;
+    };
+    return {.stiffness = largest(&ContactModes::stiffness),
+            .damping = largest(&ContactModes::damping),
+            .tangential = largest(&ContactModes::tangential)};
+}
+
+/// Contact of projectiles with fabric, and of light ones with the frame.
+struct OfProjectiles {
+    std::vector<ContactModes> with_fabric, with_frame;
+};
+
+OfProjectiles modes_of_projectiles(const scene::Scene& scene, double lightest) {
+    const auto& law = *scene.contact.projectile;
+    OfProjectiles all;
+    for (const auto& projectile : scene.projectiles) {
+        const double mass = mass_per_area(projectile), point = projectile.turns ? turning : 1;
+        const bool counts = lightest > negligible * mass;
+        const Springs springs =
+            counts ? Springs{1 + lightest / mass, 1 + point * lightest / mass} : Springs{1, 1};
+        all.with_fabric.push_back(modes_of(law, springs, lightest, lightest));
+        if (counts && scene.target->frame) all.with_frame.push_back(modes_of(law, {1, point}, mass, mass));
+    }
+    return all;
+}
+
 }  // namespace
 
 ContactModes contact_modes(const scene::Scene& scene) {
@@ -74,15 +117,10 @@ ContactModes contact_modes(const scene::Scene& scene) {
         const double cosine = scene::cosine(std::numbers::pi / (2 * plies));
         add(modes_of(*scene.contact.plies, 4 * cosine * cosine, lightest, lightest / 2));
     }
-    if (scene.contact.projectile && scene.projectile) {
-        const double radius = scene.projectile->diameter / 2,
-                     mass = scene.projectile->mass / (std::numbers::pi * radius * radius);
-        const bool counts = lightest > negligible * mass;
-        const double point = scene.projectile->turns ? turning : 1;
-        const Springs springs =
-            counts ? Springs{1 + lightest / mass, 1 + point * lightest / mass} : Springs{1, 1};
-        add(modes_of(*scene.contact.projectile, springs, lightest, lightest));
-        if (counts && scene.target->frame) add(modes_of(*scene.contact.projectile, {1, point}, mass, mass));
+    if (scene.contact.projectile) {
+        const auto projectiles = modes_of_projectiles(scene, lightest);
+        add(of_two(projectiles.with_fabric));
+        add(of_two(projectiles.with_frame));
     }
     if (scene.target->frame) add(modes_of(scene.contact.frame, 1, lightest, lightest));
     sum.tangential += clamp_mode(scene, lightest);

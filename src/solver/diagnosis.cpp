@@ -136,8 +136,10 @@ void add_penetrations(const Model& model, std::int32_t element, std::int64_t col
             found.between_plies =
                 std::max(found.between_plies, model.ply_contact->penetration(model.surface, before));
     }
-    if (model.projectile_contact)
-        found.in_projectile = rigid_penetration(model, model.projectile_contact->penetration(element), e);
+    for (const auto& projectile : model.projectiles)
+        if (projectile.contact)
+            found.in_projectile = std::max(
+                found.in_projectile, rigid_penetration(model, projectile.contact->penetration(element), e));
     if (model.frame_contact)
         found.in_frame = rigid_penetration(model, model.frame_contact->penetration(element), e);
 }

@@ -18,8 +18,9 @@ void visit_element(Archive& archive, Model& model, std::int32_t element) {
         model.surface.alive[static_cast<std::size_t>(element)] = 0;
         archive.within("at_erosion", [&] { model.eroded[element].state(archive); });
     }
-    if (model.projectile_contact)
-        archive.within("projectile_contact", [&] { model.projectile_contact->state(archive, element); });
+    for (auto& projectile : model.projectiles)
+        if (projectile.contact)
+            archive.within(projectile.contact_name, [&] { projectile.contact->state(archive, element); });
     if (model.ply_contact) archive.within("ply_contact", [&] { model.ply_contact->state(archive, element); });
     if (model.frame_contact)
         archive.within("frame_contact", [&] { model.frame_contact->state(archive, element); });

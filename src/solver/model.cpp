@@ -1,8 +1,8 @@
 #include "weavefront/solver/model.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "weavefront/body/shape.hpp"
 #include "weavefront/mesh/part.hpp"
 #include "weavefront/parallel/on_root.hpp"
 #include "weavefront/partition/run_decomposition.hpp"
@@ -151,40 +151,22 @@ void build_clamps(const scene::Scene& scene, const mesh::Panel& panel, const mes
     model.clamp_friction.emplace(clamps, scene.contact.frame.stiffness, std::move(columns), of_ply, plies);
 }
 
-Vec3 vector_of(const std::array<double, 3>& components) {
-    return {components[0], components[1], components[2]};
-}
-
-/// Those given, or those of the shape at uniform density.
-body::Inertia inertia_of(const scene::Projectile& projectile, const body::MassProperties& uniform) {
-    body::Inertia inertia{.mass = projectile.mass, .centre = uniform.centroid};
-    for (std::size_t i = 0; i < 3; ++i)
-        inertia.tensor[i] =
-            projectile.inertia
-                ? Vec3((*projectile.inertia)[i] * Vec3::Unit(static_cast<Eigen::Index>(i)))
-                : Vec3(projectile.mass * uniform.inertia.row(static_cast<Eigen::Index>(i)).transpose());
-    return inertia;
-}
-
-/// Largest distance of a corner of the bounds from a point, m.
-double largest_arm(const body::Bounds& bounds, const Vec3& from) {
-    return (bounds.low - from).cwiseAbs().cwiseMax((bounds.high - from).cwiseAbs()).norm();
-}
-
-void build_projectile(const scene::Scene& scene, Model& model) {
+void build_projectiles(const scene::Scene& scene, Model& model) {
     double arm = 0;
-    if (scene.projectile) {
-        const auto& p = *scene.projectile;
-        const std::shared_ptr<const body::Shape> shape = body::make_shape(p);
-        const auto inertia = inertia_of(p, shape->mass_properties());
-        model.projectile.emplace(inertia, p.turns);
-        model.projectile->place(vector_of(p.position), body::Attitude(p.attitude), vector_of(p.velocity));
-        if (p.turns) model.projectile->spin(vector_of(p.angular_velocity));
-        arm = largest_arm(shape->bounds(), inertia.centre);
-        model.projectile_arm = arm;
-        if (scene.contact.projectile)
-            model.projectile_contact.emplace(shape, *model.projectile, *scene.contact.projectile,
-                                             scene.contact.spacing, model.surface, model.nodes.x);
+    for (const auto& p : scene.projectiles) {
+        auto projectile = make_projectile(p);
+        arm = std::max(arm, projectile.arm);
+        projectile.contact_name = name_of_projectile(model.projectiles.size()) + "_contact";
+        if (scene.contact.projectile) {
+            projectile.contact.emplace(projectile.shape, projectile.body, *scene.contact.projectile,
+                                       scene.contact.spacing, model.surface, model.nodes.x,
+                                       static_cast<std::uint16_t>(model.projectiles.size()));
+            const auto& last = model.surface.plies.back();
+            if (scene.target->frame)
+                projectile.on_frame.emplace(p, *scene.target->frame, *scene.contact.projectile,
+                                            last.z + last.thickness / 2);
+        }
+        model.projectiles.push_back(std::move(projectile));
     }
     model.assembly = Assembly(largest_force(scene), arm);
 }
@@ -193,7 +175,9 @@ void build_projectile(const scene::Scene& scene, Model& model) {
 
 bool Model::touches(std::int32_t element) const {
     return (ply_contact && ply_contact->touches(element)) ||
-           (projectile_contact && projectile_contact->touches(element));
+           std::ranges::any_of(projectiles, [&](const auto& projectile) {
+               return projectile.contact && projectile.contact->touches(element);
+           });
 }
 
 shell::ElementOutput Model::output(std::int32_t element) const {
@@ -235,18 +219,13 @@ Model build_model(const scene::Scene& scene, const mesh::Panel& panel,
     lump_mass(scene, panel, part, areas, comm, model);
     build_surface(scene, panel, part, areas, model.surface);
     model.exchange = halo_exchange(model.halo);
-    build_projectile(scene, model);
+    build_projectiles(scene, model);
     if (scene.contact.plies && panel.plies.size() > 1)
         model.ply_contact.emplace(*scene.contact.plies, scene.contact.spacing, model.surface, model.nodes.x);
     if (scene.target->frame)
         model.frame_contact.emplace(*scene.target->frame, scene.contact.frame, scene.contact.spacing,
                                     model.surface, model.nodes.x);
     build_clamps(scene, panel, part, model);
-    if (scene.target->frame && scene.projectile && scene.contact.projectile) {
-        const auto& last = model.surface.plies.back();
-        model.projectile_on_frame.emplace(*scene.projectile, *scene.target->frame, *scene.contact.projectile,
-                                          last.z + last.thickness / 2);
-    }
     return model;
 }
 

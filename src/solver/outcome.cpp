@@ -28,36 +28,41 @@ std::string_view name_of(Verdict verdict) {
     return "still moving";
 }
 
-Outcome outcome_of(const Simulation& simulation) {
-    const auto& passages = simulation.passages().plies();
+Outcome outcome_of(const Shot& shot) {
+    const auto& passages = shot.passages.plies();
     const auto count = [&](Way way) {
         return std::ranges::count_if(passages,
                                      [&](const auto& passage) { return passage && passage->way == way; });
     };
     Outcome outcome;
     outcome.plies_perforated = count(Way::hole);
-    if (simulation.passages().all()) {
+    if (shot.passages.all()) {
         const auto all = static_cast<std::int64_t>(passages.size());
         outcome.verdict = outcome.plies_perforated == all ? Verdict::perforated : Verdict::passed;
         outcome.decided_at = 0;
         for (const auto& passage : passages)
             outcome.decided_at = std::max(*outcome.decided_at, passage->time);
-    } else if (simulation.counts().turned_back) {
+    } else if (shot.turned_back) {
         outcome.verdict = Verdict::stopped;
-        outcome.decided_at = simulation.counts().turned_back;
+        outcome.decided_at = shot.turned_back;
     }
     return outcome;
 }
 
 bool is_settled(const Simulation& simulation, const Balance& balance) {
-    const auto verdict = outcome_of(simulation).verdict;
-    if (verdict == Verdict::still_moving) return false;
-    const auto& counts = simulation.counts();
-    const double way = balance.projectile_velocity.norm() * (balance.time - counts.last_touched);
-    if (way < free_way * simulation.projectile_diameter()) return false;
+    const auto& shots = simulation.shots();
+    bool any_stopped = false;
+    for (std::size_t p = 0; p < shots.size(); ++p) {
+        const auto verdict = outcome_of(shots[p]).verdict;
+        if (verdict == Verdict::still_moving) return false;
+        const double way = balance.projectiles[p].velocity.norm() * (balance.time - shots[p].last_touched);
+        if (way < free_way * simulation.projectile_diameter(p)) return false;
+        any_stopped = any_stopped || verdict == Verdict::stopped;
+    }
+    if (shots.empty()) return false;
     // What is perforated goes on dishing for a while; a target that nothing holds flies on for ever.
-    if (verdict != Verdict::stopped && !simulation.is_supported()) return true;
-    return balance.back_face_deflection <= past_peak * counts.back_face_deflection;
+    if (!any_stopped && !simulation.is_supported()) return true;
+    return balance.back_face_deflection <= past_peak * simulation.counts().back_face_deflection;
 }
 
 }  // namespace weavefront::solver

@@ -37,15 +37,15 @@ bool is_sound(const Model& model, const JoinedFabric& fabric, std::size_t facet)
 }
 
 std::vector<Around> look_around(const Model& model, const JoinedFabric& fabric,
-                                std::span<const contact::PairForce> pairs, const Vec3& middle,
-                                double radius) {
+                                std::span<const contact::PairForce> pairs, std::size_t number,
+                                const Vec3& middle, double radius) {
     const auto& surface = model.surface;
     std::vector<Around> plies(surface.plies.size());
     const auto nodes_of_ply = model.nodes.count / static_cast<std::int32_t>(plies.size());
     for (const auto& pair : pairs)
-        if (pair.kind == contact::Master::projectile)
+        if (pair.kind == contact::Master::projectile && pair.projectile == number)
             plies[static_cast<std::size_t>(pair.slave[0] / nodes_of_ply)].ahead = true;
-    for (const auto f : model.projectile_contact->candidates()) {
+    for (const auto f : model.projectiles[number].contact->candidates()) {
         const auto i = static_cast<std::size_t>(f);
         const auto& facet = surface.facets[i];
         if (!is_sound(model, fabric, i)) continue;
@@ -78,23 +78,35 @@ bool is_near(const mesh::Panel& panel, std::int64_t element, std::int64_t other,
     return ((a + b) / 2 - (c + d) / 2).norm() < radius + (d - c).norm();
 }
 
-/// Eroded elements of each ply: all of them, and those near an element that lies across the projectile's way.
+/// Whether no other projectile is nearer to where an element was at the start, as seen along z.
+bool is_nearest(const Model& model, const mesh::Panel& panel, std::int64_t element, std::size_t number) {
+    const auto [a, b] = initial_diagonal(panel, element);
+    const auto distance = [&](const Projectile& projectile) {
+        const Vec3 apart = projectile.contact->middle(projectile.body) - (a + b) / 2;
+        return apart.x() * apart.x() + apart.y() * apart.y();
+    };
+    const double own = distance(model.projectiles[number]);
+    return std::ranges::all_of(model.projectiles, [&](const auto& other) { return distance(other) >= own; });
+}
+
+/// Eroded elements of each ply: those that no other projectile is nearer to, and those near an element that
+/// lies across the projectile's way.
 struct Eroded {
-    std::vector<std::int64_t> all, near;
+    std::vector<std::int64_t> own, near;
 };
 
 /// @param across elements, one a ply, or none @note Collective
 Eroded count_eroded(const Model& model, const mesh::Panel& panel, std::span<const std::int64_t> across,
-                    double radius, const parallel::Communicator& comm) {
+                    std::size_t number, double radius, const parallel::Communicator& comm) {
     Eroded eroded{std::vector<std::int64_t>(across.size(), 0), std::vector<std::int64_t>(across.size(), 0)};
     for (std::size_t f = 0; f < static_cast<std::size_t>(model.surface.owned); ++f) {
         if (model.surface.alive[f]) continue;
         const auto& facet = model.surface.facets[f];
         const auto ply = static_cast<std::size_t>(facet.ply);
-        ++eroded.all[ply];
+        if (is_nearest(model, panel, facet.id, number)) ++eroded.own[ply];
         if (across[ply] != none && is_near(panel, facet.id, across[ply], radius)) ++eroded.near[ply];
     }
-    comm.sum(eroded.all);
+    comm.sum(eroded.own);
     comm.sum(eroded.near);
     return eroded;
 }
@@ -106,9 +118,13 @@ bool Passages::all() const {
 }
 
 void Passages::look(const Model& model, const JoinedFabric& fabric, const mesh::Panel& panel,
-                    std::span<const contact::PairForce> pairs, const Vec3& middle, double radius, double time,
+                    std::span<const contact::PairForce> pairs, std::size_t number, double time,
                     const parallel::Communicator& comm) {
-    const auto around = look_around(model, fabric, pairs, middle, radius);
+    const auto& projectile = model.projectiles[number];
+    const Vec3 middle = projectile.contact->middle(projectile.body),
+               half = projectile.contact->half_extents(projectile.body);
+    const double radius = std::max(half.x(), half.y());
+    const auto around = look_around(model, fabric, pairs, number, middle, radius);
     std::vector<std::int64_t> ahead(plies_.size(), 0);
     for (std::size_t p = 0; p < plies_.size(); ++p) ahead[p] = around[p].ahead && !plies_[p] ? 1 : 0;
     comm.sum(ahead);
@@ -122,10 +138,10 @@ void Passages::look(const Model& model, const JoinedFabric& fabric, const mesh::
     }
     if (!any) return;
     comm.min(across);
-    const auto eroded = count_eroded(model, panel, across, radius, comm);
+    const auto eroded = count_eroded(model, panel, across, number, radius, comm);
     for (std::size_t p = 0; p < plies_.size(); ++p) {
         if (!passed_now(p)) continue;
-        const bool is_across = across[p] != none, torn = is_across ? eroded.near[p] > 0 : eroded.all[p] > 0;
+        const bool is_across = across[p] != none, torn = is_across ? eroded.near[p] > 0 : eroded.own[p] > 0;
         plies_[p] = Passage{time,
                             torn        ? Way::hole
                             : is_across ? Way::whole_fabric

@@ -40,8 +40,10 @@ Model redistribute(const scene::Scene& scene, const mesh::Panel& panel,
                    const partition::Decomposition& decomposition, Model& model,
                    const parallel::Communicator& comm) {
     auto next = build_model(scene, panel, decomposition, comm);
-    next.projectile = model.projectile;
-    next.projectile_on_frame = model.projectile_on_frame;
+    for (std::size_t p = 0; p < model.projectiles.size(); ++p) {
+        next.projectiles[p].body = model.projectiles[p].body;
+        next.projectiles[p].on_frame = model.projectiles[p].on_frame;
+    }
     std::vector<std::vector<double>> leaving(static_cast<std::size_t>(comm.size()));
     for (std::int32_t e = 0; e < model.surface.owned; ++e) {
         const auto column =

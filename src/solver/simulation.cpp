@@ -72,7 +72,8 @@ double ghost_reach(const scene::Scene& scene, const mesh::Panel& panel) {
     if (!scene.contact.plies || panel.plies.size() < 2) {
         // The smoothed normals of a rank's own nodes take the facets around them.
         const bool integrated =
-            scene.contact.spacing && ((scene.contact.projectile && scene.projectile) || scene.target->frame);
+            scene.contact.spacing &&
+            ((scene.contact.projectile && !scene.projectiles.empty()) || scene.target->frame);
         return integrated ? skin_and_spare : 0;
     }
     double thickest = 0;
@@ -89,18 +90,20 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
       model_(build_model(scene, panel_,
                          initial_decomposition(scene, panel_, ghost_reach(scene, panel_), comm), comm)),
       multiplicity_(panel_.multiplicity()),
-      step_bound_(scene, panel_),
-      passages_(panel_.plies.size()) {
+      step_bound_(scene, panel_) {
     model_.exchange.use(comm_, shared_memory_);
     pack_forces_.resize(static_cast<std::size_t>(packs_at_once) * shell::forces_per_pack);
     counts_.first_break.assign(panel_.plies.size(), std::numeric_limits<double>::max());
-    if (model_.projectile) {
-        initial_projectile_ = *model_.projectile;
-        ledger_.initial_energy = model_.projectile->kinetic_energy({}, 0);
-        // A heavy projectile keeps most of its energy: the sums resolve what it can hand over.
-        ledger_.energy_scale =
-            std::min(ledger_.initial_energy, most_energy_of_target(scene, fastest_point_of_projectile()));
+    double fastest = 0;
+    for (const auto& projectile : model_.projectiles) {
+        shots_.push_back({.initial = projectile.body, .passages = Passages(panel_.plies.size())});
+        ledger_.initial_energy += projectile.body.kinetic_energy({}, 0);
+        fastest = std::max(fastest, projectile.fastest_point());
     }
+    agreement_.on_projectiles.resize(shots_.size());
+    // A heavy projectile keeps most of its energy: the sums resolve what it can hand over.
+    if (!shots_.empty())
+        ledger_.energy_scale = std::min(ledger_.initial_energy, most_energy_of_target(scene, fastest));
     list_supports();
     ledger_.scale = parallel::FixedPoint(ledger_.energy_scale > 0 ? ledger_.energy_scale : 1);
     ledger_.mass_scale = parallel::FixedPoint(mass_of(scene));
@@ -111,7 +114,7 @@ Simulation::Simulation(const scene::Scene& scene, const parallel::Communicator& 
 }
 
 void Simulation::advance_forces() {
-    agreement_ = {};
+    agreement_.clear();
     model_.assembly.start(model_.nodes.force);
     advance_elements();
     evaluate_contact();
@@ -189,9 +192,10 @@ void Simulation::evaluate_contact() {
     contact_.clear();
     normals.invalidate();
     const auto sliding_share = [&](ContactKind kind) { return sliding_[kind].sliding_share(); };
-    if (model_.projectile_contact)
-        model_.projectile_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, *model_.projectile,
-                                            clock_.last_dt, sliding_share(of_projectile), contact_);
+    for (auto& projectile : model_.projectiles)
+        if (projectile.contact)
+            projectile.contact->evaluate(model_.surface, normals, nodes.x, nodes.v, projectile.body,
+                                         clock_.last_dt, sliding_share(of_projectile), contact_);
     book_sliding(of_projectile);
     if (model_.ply_contact)
         model_.ply_contact->evaluate(model_.surface, normals, nodes.x, nodes.v, clock_.last_dt,
@@ -202,14 +206,21 @@ void Simulation::evaluate_contact() {
                                        sliding_share(of_frame), contact_);
     book_sliding(of_frame);
     for (const auto* pairs : {&contact_.pairs, &contact_.friction})
-        for (const auto& pair : *pairs)
-            model_.assembly.add_pair(pair, model_.nodes.force, agreement_.projectile_force);
+        for (const auto& pair : *pairs) {
+            FixedVector* on_master = nullptr;
+            if (pair.kind == contact::Master::projectile)
+                on_master = &agreement_.on_projectiles[pair.projectile].force;
+            model_.assembly.add_pair(pair, model_.nodes.force, on_master);
+        }
     for (const auto* moments : {&contact_.moments, &contact_.friction_moments})
-        for (const auto& moment : *moments) model_.assembly.add_moment(moment, agreement_.projectile_moment);
+        for (const auto& [moment, projectile] : *moments)
+            model_.assembly.add_moment(moment, agreement_.on_projectiles[projectile].moment);
     add_clamp_forces();
-    if (model_.projectile_on_frame) {
-        const auto of_whole = model_.projectile_on_frame->evaluate(*model_.projectile, clock_.last_dt);
-        from_frame_ = {without_mirrored(of_whole.pressure), without_mirrored(of_whole.friction)};
+    for (std::size_t p = 0; p < shots_.size(); ++p) {
+        auto& projectile = model_.projectiles[p];
+        if (!projectile.on_frame) continue;
+        const auto of_whole = projectile.on_frame->evaluate(projectile.body, clock_.last_dt);
+        shots_[p].from_frame = {without_mirrored(of_whole.pressure), without_mirrored(of_whole.friction)};
     }
     add_half_step_contact_work(clock_.last_dt);
     contact_.deepest.time = clock_.time;
@@ -234,10 +245,14 @@ void Simulation::book_sliding(ContactKind kind) {
 
 /// The force at a time works half of a step with the velocity before it, half with the velocity after it.
 void Simulation::add_half_step_contact_work(double dt) {
-    add_contact_work(ledger_.contact, contact_.pairs, contact_.moments, from_frame_.pressure, dt);
+    add_contact_work(ledger_.contact, contact_.pairs, contact_.moments, dt);
     if (ledger_.has_contact_friction)
-        add_contact_work(ledger_.contact_friction, contact_.friction, contact_.friction_moments,
-                         from_frame_.friction, dt);
+        add_contact_work(ledger_.contact_friction, contact_.friction, contact_.friction_moments, dt);
+    for (std::size_t p = 0; p < shots_.size(); ++p) {
+        const auto& body = model_.projectiles[p].body;
+        add_frame_work(ledger_.contact, body, shots_[p].from_frame.pressure, dt);
+        add_frame_work(ledger_.contact_friction, body, shots_[p].from_frame.friction, dt);
+    }
     if (!model_.clamp_friction) return;
     for (const auto& [node, force] : model_.clamp_friction->forces())
         if (model_.nodes.owned[node])
@@ -245,12 +260,13 @@ void Simulation::add_half_step_contact_work(double dt) {
 }
 
 void Simulation::add_contact_work(std::int64_t& taken, std::span<const contact::PairForce> pairs,
-                                  std::span<const Vec3> on_projectile, const body::Wrench& from_frame,
-                                  double dt) {
+                                  std::span<const contact::MomentOnProjectile> moments, double dt) {
     const auto& v = model_.nodes.v;
-    const auto body = model_.projectile ? model_.projectile->motion() : body::Motion();
+    const auto& projectiles = model_.projectiles;
     for (const auto& pair : pairs) {
-        double power = pair.kind == contact::Master::projectile ? -pair.total.dot(body.velocity) : 0;
+        double power = pair.kind == contact::Master::projectile
+                           ? -pair.total.dot(projectiles[pair.projectile].body.velocity())
+                           : 0;
         for (std::size_t a = 0; a < 4; ++a) {
             power += pair.on_slave[a].dot(v[static_cast<std::size_t>(pair.slave[a])]);
             if (pair.kind == contact::Master::facet)
@@ -258,13 +274,17 @@ void Simulation::add_contact_work(std::int64_t& taken, std::span<const contact::
         }
         ledger_.add(taken, -power * dt / 2);
     }
-    for (const auto& moment : on_projectile) ledger_.add(taken, -moment.dot(body.angular_velocity) * dt / 2);
-    if (from_frame.force != Vec3::Zero() &&
-        comm_.rank() == 0) {  // of the whole target, which the ledger has from its part
-        double power = from_frame.force.dot(body.velocity);
-        if (model_.projectile->turns()) power += from_frame.moment.dot(body.angular_velocity);
-        ledger_.add(taken, -power * dt / 2 / multiplicity_);
-    }
+    for (const auto& [moment, projectile] : moments)
+        ledger_.add(taken, -moment.dot(projectiles[projectile].body.angular_velocity()) * dt / 2);
+}
+
+/// The frame's force is that of the whole target, which the ledger has from its part.
+void Simulation::add_frame_work(std::int64_t& taken, const body::RigidBody& projectile,
+                                const body::Wrench& from_frame, double dt) {
+    if (from_frame.force == Vec3::Zero() || comm_.rank() != 0) return;
+    double power = from_frame.force.dot(projectile.velocity());
+    if (projectile.turns()) power += from_frame.moment.dot(projectile.angular_velocity());
+    ledger_.add(taken, -power * dt / 2 / multiplicity_);
 }
 
 /// Sums the forces of shared nodes and the integers of the step. The exchange of forces runs during the
@@ -280,26 +300,29 @@ void Simulation::sum_forces_and_agree() {
     agreement_.checkpoint = std::exchange(checkpoint_requested_, false) ? 1 : 0;
     agreement_.fault =
         model_.assembly.faulty_element() >= 0 || model_.assembly.faulty_contact() || ledger_.is_faulty;
-    comm_.sum(agreement_.integers());
+    agreement_.sum(comm_);
     model_.exchange.finish(model_.nodes.force);
 }
 
 void Simulation::apply_agreement() {
     for (std::size_t kind = 0; kind < contact_kinds; ++kind)
         sliding_[kind].book(agreement_.sliding_released[kind], agreement_.sliding_wanted[kind]);
-    const Vec3 on_part = model_.assembly.value(agreement_.projectile_force);
-    const auto from_fabric = without_mirrored(
-        {multiplicity_ * on_part, multiplicity_ * model_.assembly.moment(agreement_.projectile_moment)});
-    const auto& [pressure, friction] = from_frame_;
-    on_projectile_ = {from_fabric.force + pressure.force + friction.force,
-                      from_fabric.moment + pressure.moment + friction.moment};
-    if (on_projectile_.force != Vec3::Zero()) counts_.touched = true, counts_.last_touched = clock_.time;
+    for (std::size_t p = 0; p < shots_.size(); ++p) {
+        auto& shot = shots_[p];
+        const auto& on_part = agreement_.on_projectiles[p];
+        const auto from_fabric = without_mirrored({multiplicity_ * model_.assembly.value(on_part.force),
+                                                   multiplicity_ * model_.assembly.moment(on_part.moment)});
+        const auto& [pressure, friction] = shot.from_frame;
+        shot.wrench = {from_fabric.force + pressure.force + friction.force,
+                       from_fabric.moment + pressure.moment + friction.moment};
+        if (shot.wrench.force != Vec3::Zero()) shot.touched = true, shot.last_touched = clock_.time;
+    }
     search_.any_eroded = search_.any_eroded || agreement_.eroded > 0;
     search_.is_outdated = agreement_.eroded > 0 || agreement_.left_skin > 0;
     if (agreement_.fault == 0) return;
     // The state before these forces is shown.
     std::ranges::fill(model_.nodes.force, FixedVector{});
-    on_projectile_ = {};
+    for (auto& shot : shots_) shot.wrench = {};
     stop_at_fault();
 }
 
@@ -323,11 +346,6 @@ body::Wrench Simulation::without_mirrored(body::Wrench wrench) const {
             if (axis != plane) wrench.moment[axis] = 0;
     }
     return wrench;
-}
-
-double Simulation::fastest_point_of_projectile() const {
-    const auto& projectile = *model_.projectile;
-    return projectile.velocity().norm() + projectile.angular_velocity().norm() * model_.projectile_arm;
 }
 
 void Simulation::adapt_time_step() {
@@ -376,21 +394,26 @@ void Simulation::move_nodes() {
     } else {
         move_freely(nodes, model_.assembly.scale(), clock_.velocity_step(), clock_.dt);
     }
-    if (model_.projectile) model_.projectile->accelerate(on_projectile_, clock_.velocity_step());
+    for (std::size_t p = 0; p < shots_.size(); ++p)
+        model_.projectiles[p].body.accelerate(shots_[p].wrench, clock_.velocity_step());
     add_half_step_contact_work(clock_.dt);
-    if (model_.projectile) model_.projectile->move(clock_.dt);
+    for (auto& projectile : model_.projectiles) projectile.body.move(clock_.dt);
     clock_.advance();
-    if (model_.projectile && !counts_.turned_back && model_.projectile->velocity().z() <= 0)
-        counts_.turned_back = clock_.time;
+    for (std::size_t p = 0; p < shots_.size(); ++p)
+        if (!shots_[p].turned_back && model_.projectiles[p].body.velocity().z() <= 0)
+            shots_[p].turned_back = clock_.time;
 }
 
 void Simulation::look_for_passages() {
-    if (!model_.projectile_contact || clock_.steps % steps_between_passages != 0 || passages_.all()) return;
-    const Vec3 middle = model_.projectile_contact->middle(*model_.projectile),
-               half = model_.projectile_contact->half_extents(*model_.projectile);
-    if (middle.z() <= 0) return;  // in front of the first ply as it was
-    passages_.look(model_, joined_fabric(), panel_, contact_.pairs, middle, std::max(half.x(), half.y()),
-                   clock_.time, comm_);
+    if (clock_.steps % steps_between_passages != 0) return;
+    if (shots_.size() > 1) projectile_overlap_.look(model_.projectiles, clock_.time);
+    if (!model_.has_projectile_contact()) return;
+    for (std::size_t p = 0; p < shots_.size(); ++p) {
+        const auto& projectile = model_.projectiles[p];
+        // In front of the first ply as it was, it has passed none.
+        if (shots_[p].passages.all() || projectile.contact->middle(projectile.body).z() <= 0) continue;
+        shots_[p].passages.look(model_, joined_fabric(), panel_, contact_.pairs, p, clock_.time, comm_);
+    }
 }
 
 contact::Deepest Simulation::deepest() const { return deepest_of_all(counts_.deepest, comm_); }
@@ -401,14 +424,19 @@ bool Simulation::moved_far() const {
     if (search_.nodes.empty()) return false;
     const double margin = model_.smallest_edge * skin_in_edges * (0.5 - kept_of_skin);
     if (search_.nodes.any_outside(model_.nodes.own_x(), margin)) return true;
-    if (!model_.projectile_contact) return false;
-    const Vec3 of_projectile = model_.projectile_contact->search_point(*model_.projectile);
-    return search_.projectile.any_outside({&of_projectile, 1}, margin);
+    return model_.has_projectile_contact() && search_.projectiles.any_outside(search_points(), margin);
+}
+
+std::span<const Vec3> Simulation::search_points() const {
+    search_points_.clear();
+    for (const auto& projectile : model_.projectiles)
+        search_points_.push_back(projectile.contact->search_point(projectile.body));
+    return search_points_;
 }
 
 void Simulation::update_candidates() {
     search_.is_outdated = false;
-    if (!model_.projectile_contact && !model_.ply_contact && !model_.frame_contact) return;
+    if (!model_.has_projectile_contact() && !model_.ply_contact && !model_.frame_contact) return;
     const Timed timed(seconds_, Phase::search);
     ++counts_.searches;
     const double skin = skin_in_edges * model_.smallest_edge, ahead = steps_ahead * clock_.dt;
@@ -425,12 +453,15 @@ void Simulation::update_candidates() {
     }
     if (model_.ply_contact)
         model_.ply_contact->update_candidates(model_.surface, search_.nodes, nodes.x, skin);
-    if (model_.projectile_contact) {
-        const Vec3 point = model_.projectile_contact->search_point(*model_.projectile),
-                   velocity = model_.projectile->motion().at(point);
-        search_.projectile = contact::SweptBounds({&point, 1}, {&velocity, 1}, ahead);
-        model_.projectile_contact->update_candidates(model_.surface, search_.nodes,
-                                                     search_.projectile.of_node(0), skin);
+    if (model_.has_projectile_contact()) {
+        const auto points = search_points();
+        std::vector<Vec3> velocities;
+        for (std::size_t p = 0; p < points.size(); ++p)
+            velocities.push_back(model_.projectiles[p].body.motion().at(points[p]));
+        search_.projectiles = contact::SweptBounds(points, velocities, ahead);
+        for (std::size_t p = 0; p < points.size(); ++p)
+            model_.projectiles[p].contact->update_candidates(model_.surface, search_.nodes,
+                                                             search_.projectiles.of_node(p), skin);
     }
     release_debris_nodes();
 }
@@ -451,15 +482,16 @@ Vec3 Simulation::velocity(std::size_t node) const {
     return present_velocity(v, acceleration, clock_.last_dt);
 }
 
-Vec3 Simulation::projectile_velocity() const {
-    const Vec3 acceleration = on_projectile_.force / scene_.projectile->mass;
-    return present_velocity(model_.projectile->velocity(), acceleration, clock_.last_dt);
+Vec3 Simulation::projectile_velocity(std::size_t projectile) const {
+    const auto& body = model_.projectiles[projectile].body;
+    const Vec3 acceleration = shots_[projectile].wrench.force / body.mass();
+    return present_velocity(body.velocity(), acceleration, clock_.last_dt);
 }
 
-Vec3 Simulation::projectile_angular_velocity() const {
-    const auto& projectile = *model_.projectile;
-    return projectile.angular_velocity_of(
-        present_velocity(projectile.angular_momentum(), on_projectile_.moment, clock_.last_dt));
+Vec3 Simulation::projectile_angular_velocity(std::size_t projectile) const {
+    const auto& body = model_.projectiles[projectile].body;
+    return body.angular_velocity_of(
+        present_velocity(body.angular_momentum(), shots_[projectile].wrench.moment, clock_.last_dt));
 }
 
 }  // namespace weavefront::solver

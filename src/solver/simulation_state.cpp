@@ -10,15 +10,17 @@ template <class Archive>
 void Simulation::visit_values(Archive& archive) {
     clock_.state(archive);
     archive("clock.next_adaptation", next_adaptation_);
-    if (model_.projectile) model_.projectile->state(archive, "projectile");
-    if (model_.projectile_on_frame) model_.projectile_on_frame->state(archive, "projectile_on_frame");
+    for (std::size_t p = 0; p < shots_.size(); ++p) {
+        model_.projectiles[p].state(archive, name_of_projectile(p));
+        shots_[p].state(archive, name_of_projectile(p));
+    }
+    if (shots_.size() > 1) projectile_overlap_.state(archive);
     sliding_[of_projectile].state(archive, "sliding.projectile");
     sliding_[of_plies].state(archive, "sliding.plies");
     sliding_[of_frame].state(archive, "sliding.frame");
     archive("search.any_eroded", search_.any_eroded);
     ledger_.state(archive);
     counts_.state(archive);
-    passages_.state(archive);
     step_bound_.state(archive);
 }
 

@@ -15,7 +15,7 @@ double density_of(const std::string& name) {
         "fabrics: {a: {library: kevlar_km2_s706}}\ncontact: {projectile: {}}\nprojectile: {standard: " +
             name + ", velocity: [0, 0, 100 m/s]}\n",
         "s.yaml", {}, scene::Need::fabrics);
-    const auto& projectile = *scene.projectile;
+    const auto& projectile = scene.projectiles.front();
     return projectile.mass / body::make_shape(projectile)->mass_properties().volume;
 }
 

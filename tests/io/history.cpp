@@ -25,9 +25,7 @@ const char* const header =
 // Every column has a value of its own, so an exchange of two shows.
 HistoryRow numbered_row() {
     return {.time = 0.1,
-            .projectile = {2, 3, 4},
-            .projectile_velocity = {5, 6, 7},
-            .contact_force = {8, 9, 10},
+            .projectiles = {{{2, 3, 4}, {5, 6, 7}, {8, 9, 10}, {}}},
             .kinetic_fabric = 11,
             .kinetic_projectile = 12,
             .internal = 13,
@@ -74,7 +72,7 @@ TEST(History, HasColumnsOfRotationWhereTheProjectileTurns) {
     const parallel::Communicator comm(MPI_COMM_WORLD);
     const ScratchDirectory directory(comm);
     auto row = numbered_row();
-    row.rotation = Rotation{{33, 34, 35, 36}, {37, 38, 39}, {40, 41, 42}};
+    row.projectiles.front().rotation = Rotation{{33, 34, 35, 36}, {37, 38, 39}, {40, 41, 42}};
     History history(directory / "history.csv", row, comm);
     history.publish();
     history.write(row);
@@ -89,10 +87,28 @@ TEST(History, HasColumnsOfRotationWhereTheProjectileTurns) {
 
 TEST(History, HasAColumnOfContactFrictionWhereAContactHasIt) {
     auto row = numbered_row();
-    row.rotation = Rotation{{33, 34, 35, 36}, {37, 38, 39}, {40, 41, 42}};
+    row.projectiles.front().rotation = Rotation{{33, 34, 35, 36}, {37, 38, 39}, {40, 41, 42}};
     row.contact_friction = 43;
     EXPECT_TRUE(history_header(row).ends_with(",contact_mz,contact_friction"));
     EXPECT_TRUE(history_line(row).ends_with(",42,43"));
+}
+
+TEST(History, EndsWithTheColumnsOfFurtherProjectiles) {
+    auto row = numbered_row();
+    row.contact_friction = 33;
+    row.projectiles.push_back({{34, 35, 36}, {37, 38, 39}, {40, 41, 42}, {}});
+    row.projectiles.push_back(
+        {{43, 44, 45}, {46, 47, 48}, {49, 50, 51}, Rotation{{52, 53, 54, 55}, {56, 57, 58}, {59, 60, 61}}});
+    EXPECT_EQ(history_header(row),
+              std::string(header) +
+                  ",contact_friction,projectile2_x,projectile2_y,projectile2_z,projectile2_vx,projectile2_vy,"
+                  "projectile2_vz,contact2_fx,contact2_fy,contact2_fz,projectile3_x,projectile3_y,"
+                  "projectile3_z,projectile3_vx,projectile3_vy,projectile3_vz,contact3_fx,contact3_fy,"
+                  "contact3_fz,projectile3_qw,projectile3_qx,projectile3_qy,projectile3_qz,projectile3_wx,"
+                  "projectile3_wy,projectile3_wz,contact3_mx,contact3_my,contact3_mz");
+    EXPECT_EQ(history_line(row),
+              std::string(numbered_line) +
+                  ",33,34,35,36,37,38,39,40,41,42,43,44,45,46,47,48,49,50,51,52,53,54,55,56,57,58,59,60,61");
 }
 
 TEST(History, AppearsUnderItsNameWithItsHeader) {

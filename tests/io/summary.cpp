@@ -34,6 +34,7 @@ Summary sample() {
                                    .deepest_ply = 1,
                                    .deepest_time = 6e-5},
             .residual_velocity = -12.25,
+            .projectiles = {},
             .max_displacement = 0.0141,
             .back_face_deflection = 0.0139,
             .energy_error = 1e-4,
@@ -62,6 +63,19 @@ TEST(Summary, HoldsEveryKey) {
         "results_sha256": "cd34"})");
     EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json")), expected);
     EXPECT_FALSE(std::filesystem::exists(directory / "summary.json.new"));
+}
+
+TEST(Summary, ListsSeveralProjectiles) {
+    const parallel::Communicator comm(MPI_COMM_WORLD);
+    const ScratchDirectory directory(comm);
+    auto summary = sample();
+    summary.projectiles = {{"perforated", 1e-5, 8, 120.5}, {"still moving", std::nullopt, 0, -3}};
+    write_summary(directory / "summary.json", summary, comm);
+    if (comm.rank() != 0) return;
+    EXPECT_EQ(nlohmann::json::parse(content(directory / "summary.json"))["projectiles"],
+              nlohmann::json::parse(R"([
+        {"verdict": "perforated", "decided_at": 1e-5, "plies_perforated": 8, "residual_velocity": 120.5},
+        {"verdict": "still moving", "decided_at": null, "plies_perforated": 0, "residual_velocity": -3.0}])"));
 }
 
 TEST(Summary, SaysNullWithoutAProjectile) {

@@ -46,7 +46,7 @@ TEST(Panel, PliesLieOverEachOther) {
 
 TEST(Panel, IsFinestUnderTheProjectile) {
     auto scene = small_target();
-    scene.projectile = scene::Projectile{.position = {0.004, -0.009, 0}};
+    scene.projectiles = {scene::Projectile{.position = {0.004, -0.009, 0}}};
     const auto panel = make_panel(scene);
     const auto finest = [](const std::vector<double>& line, double at) {
         double size = 1, where = 0;

@@ -116,7 +116,7 @@ scene::Scene spreading_contact() {
     fabric.yarn.area = 6.48e-8;
     fabric.yarn.span = 0.909e-3;
     scene.target->symmetry = {true, true};
-    scene.projectile->velocity = {0, 0, 267};
+    scene.projectiles.front().velocity = {0, 0, 267};
     scene.time.end = 200e-6;
     return scene;
 }
@@ -141,7 +141,7 @@ TEST(RunDecomposition, IsBalancedAtEveryTimeOfTheRun) {
 
 TEST(RunDecomposition, BalancesColumnsWhereNothingSpreads) {
     auto scene = spreading_contact();
-    scene.projectile.reset();
+    scene.projectiles.clear();
     const auto panel = mesh::make_panel(scene);
     for (const int parts : {1, 4, static_cast<int>(panel.columns())}) {
         const auto decomposition = partition::decompose_for_run(scene, panel, parts, 0);
@@ -159,7 +159,7 @@ TEST(ColumnCosts, ContactCountsUnderTheShotOnly) {
     const auto middle =
         static_cast<std::size_t>(panel.columns_y() / 2 * panel.columns_x() + panel.columns_x() / 2);
     EXPECT_GT(costs[middle], 2 * costs[0]);
-    scene.projectile.reset();
+    scene.projectiles.clear();
     const auto still = partition::column_costs(panel, scene);
     EXPECT_EQ(*std::ranges::min_element(still), *std::ranges::max_element(still));
     EXPECT_GT(still[0], 0);

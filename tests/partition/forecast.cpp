@@ -71,7 +71,7 @@ scene::Scene slow_impact() {
     scene.fabrics[0].yarn.area = scene.fabrics[0].yarn.span = scene.fabrics[0].areal_density = 1;
     scene.target = scene::Target{};
     scene.target->plies.resize(2);
-    scene.projectile = scene::Projectile{.diameter = 1, .velocity = {0, 0, 1}};
+    scene.projectiles = {scene::Projectile{.diameter = 1, .velocity = {0, 0, 1}}};
     scene.contact.plies = scene.contact.projectile = scene::ContactLaw{};
     scene.time.end = 5;
     return scene;

@@ -14,7 +14,7 @@ namespace weavefront::test {
     for (int ply = 0; ply < 8; ++ply) target.plies.push_back({.z = 0.25e-3 * ply});
     target.mesh = {.center = 1e-3, .edge = 3e-3, .growth = 1.08};
     scene.target = target;
-    scene.projectile = scene::Projectile{.diameter = 5.38e-3};
+    scene.projectiles = {scene::Projectile{.diameter = 5.38e-3}};
     scene.contact.projectile = scene.contact.plies = scene::ContactLaw{.stiffness = 1e13};
     return scene;
 }

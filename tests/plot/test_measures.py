@@ -4,6 +4,7 @@ import json
 import unittest
 from types import SimpleNamespace
 
+import h5py
 import numpy as np
 
 from plotter import OnFolder, plot
@@ -12,7 +13,7 @@ from weavefront_plot.deformed import Deformed
 from weavefront_plot.fabric import Fabric
 from weavefront_plot.option_values import VIEWS
 from weavefront_plot.run import Run
-from weavefront_plot.section import outline, ply_lines, shown_range
+from weavefront_plot.section import outlines, ply_lines, shown_range
 
 TOP = 1.5 * RADIUS  # half the width of the pyramid's flat top
 IMPACT = (20e-3, -30e-3)
@@ -84,15 +85,31 @@ class Impacts(OnRun):
         # The top of the last ply: the nose and the distance between two plies. The plane stands 1e-6 of the
         # size, 1e-4 mm, aside.
         self.assertAlmostEqual(lines[..., 1].max(), 1e3 * (nose + 0.25e-3), delta=1e-4)
-        body = outline(run, 6)
+        (body,) = outlines(run, 6)
         np.testing.assert_allclose(body[:, 0].min(), 1e3 * (IMPACT[0] - RADIUS), atol=1e-3)
         np.testing.assert_allclose(body[:, 0].max(), 1e3 * (IMPACT[0] + RADIUS), atol=1e-3)
         left, right = shown_range(Fabric(run.results), run.impact, 50e-3)
         self.assertAlmostEqual((left + right) / 2, 1e3 * IMPACT[0], delta=1e-9)
 
+    def test_section_cuts_each_projectile_by_itself(self):
+        run = self.run_of("two", plies=2, symmetry="", impact=IMPACT)
+        (whole,) = outlines(run, 6)
+        quads, frames = run.results.parts[1], len(run.results.times)
+        right = run.results.points(0, 1)[quads].mean(axis=1)[:, 0] > IMPACT[0]
+        number = np.concatenate([np.zeros(run.results.cells_of_part[0]), 1.0 + right])
+        with h5py.File(run.folder / "results.vtkhdf", "r+") as file:
+            file["VTKHDF/CellData/projectile"] = np.tile(number, frames + 1)
+            file["VTKHDF/Steps/CellDataOffsets/projectile"] = np.arange(frames + 1) * len(number)
+        run = Run(run.folder)
+        self.assertNotIn("projectile", run.results.arrays())
+        left, right = sorted(outlines(run, 6), key=lambda line: line[:, 0].min())
+        self.assertLess(left[:, 0].max(), right[:, 0].min() + 1e-3)
+        self.assertAlmostEqual(left[:, 0].min(), whole[:, 0].min())
+        self.assertAlmostEqual(right[:, 0].max(), whole[:, 0].max())
+
     def test_section_of_an_oblique_shot_follows_the_projectile(self):
         run = self.run_of("oblique", plies=2, symmetry="", impact=IMPACT, shot=(30.0, -40.0))
-        body = outline(run, 6)
+        (body,) = outlines(run, 6)
         # 50 m/s over 150 us along the section, measured from the impact
         self.assertAlmostEqual(body[:, 0].mean(), 7.5, delta=0.2)
         self.assertAlmostEqual(

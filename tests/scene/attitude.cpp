@@ -10,7 +10,7 @@ namespace {
 /// The projectile of the example before a whole target.
 Projectile projectile(std::vector<std::string> overrides) {
     overrides.emplace_back("target.symmetry=[]");
-    return *parse(example, overrides).projectile;
+    return parse(example, overrides).projectiles.front();
 }
 
 /// Where the attitude turns an axis of the body.
@@ -59,8 +59,8 @@ TEST(Attitude, SpinIsAboutTheProjectilesOwnAxis) {
 TEST(Attitude, IsFixedOnRequestAndByTwoPlanesOfSymmetry) {
     EXPECT_TRUE(projectile({}).turns);
     EXPECT_FALSE(projectile({"projectile.fixed=rotation"}).turns);
-    EXPECT_FALSE(parse(example, {"target.symmetry=[x, y]"}).projectile->turns);
-    EXPECT_TRUE(parse(example, {"target.symmetry=[x]"}).projectile->turns);
+    EXPECT_FALSE(parse(example, {"target.symmetry=[x, y]"}).projectiles.front().turns);
+    EXPECT_TRUE(parse(example, {"target.symmetry=[x]"}).projectiles.front().turns);
 }
 
 TEST(Attitude, LeavesRoomForTheInclinedProjectileBeforeTheTarget) {
@@ -75,12 +75,12 @@ TEST(Attitude, ReadsBackBitForBitFromTheResolvedScene) {
         example, {"target.symmetry=[]", "projectile.orientation={yaw: 10 deg, pitch: -3 deg, roll: 77 deg}",
                   "projectile.spin=31234 rpm", "projectile.inertia=[21 g mm^2, 22 g mm^2, 9 g mm^2]"});
     const Scene again = parse(scene.resolved);
-    EXPECT_EQ(again.projectile->attitude, scene.projectile->attitude);
-    EXPECT_EQ(again.projectile->angular_velocity, scene.projectile->angular_velocity);
-    EXPECT_EQ(again.projectile->inertia, scene.projectile->inertia);
+    EXPECT_EQ(again.projectiles.front().attitude, scene.projectiles.front().attitude);
+    EXPECT_EQ(again.projectiles.front().angular_velocity, scene.projectiles.front().angular_velocity);
+    EXPECT_EQ(again.projectiles.front().inertia, scene.projectiles.front().inertia);
     EXPECT_EQ(again.resolved, scene.resolved);
     const Scene fixed = parse(example, {"target.symmetry=[]", "projectile.fixed=rotation"});
-    EXPECT_FALSE(parse(fixed.resolved).projectile->turns);
+    EXPECT_FALSE(parse(fixed.resolved).projectiles.front().turns);
 }
 
 }  // namespace

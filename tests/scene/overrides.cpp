@@ -10,14 +10,14 @@ TEST(Override, ReplacesValuesAtAnyDepth) {
         parse(example, {"fabrics.kevlar129.formulation=paper", "projectile.velocity=[0,0,267 m/s]",
                         "target.mesh.center=2 mm", "title=a=b", "damping=10 1/s"});
     EXPECT_EQ(scene.fabrics[0].formulation, Formulation::paper);
-    EXPECT_EQ(scene.projectile->velocity[2], 267);
+    EXPECT_EQ(scene.projectiles.front().velocity[2], 267);
     EXPECT_EQ(scene.target->mesh.center, 2e-3);
     EXPECT_EQ(scene.title, "a=b");
     EXPECT_EQ(scene.damping, 10);
 }
 
 TEST(Override, ReachesListItemsByNumber) {
-    EXPECT_EQ(parse(example, {"projectile.velocity.2=267 m/s"}).projectile->velocity[2], 267);
+    EXPECT_EQ(parse(example, {"projectile.velocity.2=267 m/s"}).projectiles.front().velocity[2], 267);
 }
 
 TEST(Override, CreatesTheMapsOnItsWay) {

@@ -87,13 +87,13 @@ void expect_equal(const Scene& a, const Scene& b) {
     ASSERT_EQ(a.fabrics.size(), b.fabrics.size());
     for (std::size_t i = 0; i < a.fabrics.size(); ++i) expect_equal(a.fabrics[i], b.fabrics[i]);
     expect_equal(*a.target, *b.target);
-    EXPECT_EQ(a.projectile->shape, b.projectile->shape);
-    EXPECT_EQ(a.projectile->diameter, b.projectile->diameter);
-    EXPECT_EQ(a.projectile->edge_radius, b.projectile->edge_radius);
-    EXPECT_EQ(a.projectile->length, b.projectile->length);
-    EXPECT_EQ(a.projectile->mass, b.projectile->mass);
-    EXPECT_EQ(a.projectile->position, b.projectile->position);
-    EXPECT_EQ(a.projectile->velocity, b.projectile->velocity);
+    EXPECT_EQ(a.projectiles.front().shape, b.projectiles.front().shape);
+    EXPECT_EQ(a.projectiles.front().diameter, b.projectiles.front().diameter);
+    EXPECT_EQ(a.projectiles.front().edge_radius, b.projectiles.front().edge_radius);
+    EXPECT_EQ(a.projectiles.front().length, b.projectiles.front().length);
+    EXPECT_EQ(a.projectiles.front().mass, b.projectiles.front().mass);
+    EXPECT_EQ(a.projectiles.front().position, b.projectiles.front().position);
+    EXPECT_EQ(a.projectiles.front().velocity, b.projectiles.front().velocity);
     EXPECT_EQ(a.contact.spacing, b.contact.spacing);
     expect_equal(*a.contact.projectile, *b.contact.projectile);
     expect_equal(*a.contact.plies, *b.contact.plies);
@@ -128,7 +128,7 @@ TEST(Resolved, OfFabricsAloneReadsBack) {
 
 TEST(Resolved, WithoutProjectileAndContactReadsBack) {
     const Scene scene = parse(example, {"projectile=", "contact="});
-    EXPECT_FALSE(scene.projectile);
+    EXPECT_TRUE(scene.projectiles.empty());
     EXPECT_EQ(parse(scene.resolved).resolved, scene.resolved);
 }
 

@@ -25,12 +25,12 @@ Projectile projectile_of(const std::string& keys, const Files& files = {},
     // The resolved scene needs no file and says the same.
     const auto again = parse_scene(scene.resolved, "resolved.yaml");
     EXPECT_EQ(again.resolved, scene.resolved);
-    EXPECT_EQ(again.projectile->diameter, scene.projectile->diameter);
-    EXPECT_EQ(again.projectile->length, scene.projectile->length);
-    EXPECT_EQ(again.projectile->profile, scene.projectile->profile);
-    EXPECT_EQ(again.projectile->triangles.points, scene.projectile->triangles.points);
-    EXPECT_EQ(again.projectile->triangles.corners, scene.projectile->triangles.corners);
-    return *scene.projectile;
+    EXPECT_EQ(again.projectiles.front().diameter, scene.projectiles.front().diameter);
+    EXPECT_EQ(again.projectiles.front().length, scene.projectiles.front().length);
+    EXPECT_EQ(again.projectiles.front().profile, scene.projectiles.front().profile);
+    EXPECT_EQ(again.projectiles.front().triangles.points, scene.projectiles.front().triangles.points);
+    EXPECT_EQ(again.projectiles.front().triangles.corners, scene.projectiles.front().triangles.corners);
+    return scene.projectiles.front();
 }
 
 std::string refusal_of(const std::string& keys, const Files& files = {}) {

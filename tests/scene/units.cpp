@@ -59,7 +59,8 @@ TEST(Units, Angles) {
 
 TEST(Units, BareZeroNeedsNoUnit) {
     EXPECT_EQ(parse(example_with("thickness: 0.820 mm", "thickness: 0")).fabrics[0].thickness, 0);
-    EXPECT_EQ(parse(example_with("edge_radius: 0.3 mm", "edge_radius: 0.0")).projectile->edge_radius, 0);
+    EXPECT_EQ(parse(example_with("edge_radius: 0.3 mm", "edge_radius: 0.0")).projectiles.front().edge_radius,
+              0);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(Assembly, ForgetsFaultsAtTheStartOfAStep) {
     FixedVector on_projectile{};
     contact::PairForce pair({0, 1, 2, 3}, contact::Master::projectile);
     pair.total.x() = unrepresentable[0];
-    forces.assembly.add_pair(pair, forces.sums, on_projectile);
+    forces.assembly.add_pair(pair, forces.sums, &on_projectile);
     forces.assembly.start(forces.sums);
     EXPECT_EQ(forces.assembly.faulty_element(), -1);
     EXPECT_FALSE(forces.assembly.faulty_contact());
@@ -113,7 +113,7 @@ TEST(Assembly, LeavesOutAPairWithAFaultyForce) {
                 contact::PairForce pair({0, 1, 2, 3}, std::array{4, 5, 6, 7});
                 auto& force = kind == 0 ? pair.total : kind == 1 ? pair.on_slave[2] : pair.on_master[3];
                 force[d] = fault;
-                assembly.add_pair(pair, sums, on_projectile);
+                assembly.add_pair(pair, sums, &on_projectile);
                 ASSERT_TRUE(assembly.faulty_contact()) << fault << ' ' << kind;
                 ASSERT_EQ(sums, none) << fault << ' ' << kind;
             }

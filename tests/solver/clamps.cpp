@@ -25,9 +25,7 @@ TEST(Clamp, LetsAPlySlideAsFarAsFrictionTakesItsEnergy) {
     set_motion(
         simulation, [](const Vec3& x) { return x; },
         [](const Vec3&) { return Vec3(0.6 * speed, 0.8 * speed, 0); });
-    simulation.model().projectile.reset();
-    simulation.model().projectile_contact.reset();
-    simulation.model().projectile_on_frame.reset();
+    simulation.model().projectiles.front().body.place({0, 0, -1}, {}, {0, 0, 0});  // far away
     const double deceleration = 2 * mu * pressure / mass, stop = speed / deceleration;
     while (simulation.time() < 2 * stop) advance(simulation, 1);
     simulation.advance_forces();

@@ -56,7 +56,7 @@ TEST(ContactFriction, HoldsTheProjectileBackAlongThePly) {
                         "contact.projectile.friction=" + friction}),
             comm);
         while (simulation.time() < 30e-6) advance(simulation, 1);
-        return simulation.model().projectile->velocity().x();
+        return simulation.model().projectiles.front().body.velocity().x();
     };
     const double without = speed_along("0"), with = speed_along("0.3");
     EXPECT_LT(with, without - 0.3);  // m/s

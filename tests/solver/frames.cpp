@@ -25,7 +25,11 @@ const io::Array& array(const io::Frame& frame, const std::string& name) {
 }
 
 io::Frame frame_of(Simulation& simulation, const std::vector<Field>& fields) {
-    return app::frame_of(simulation, {.points = {{0, 0, 0}, {1e-3, 0, -2e-3}}, .quads = {}}, fields);
+    app::ProjectileSurfaces surfaces;
+    surfaces.all.points = {{0, 0, 0}, {1e-3, 0, -2e-3}};
+    surfaces.points = {2};
+    surfaces.quads = {0};
+    return app::frame_of(simulation, surfaces, fields);
 }
 
 /// Velocities of the owned nodes in a frame now.
@@ -61,8 +65,8 @@ TEST_F(Frames, HaveTheVelocitiesOfTheirTime) {
     simulation.advance_forces();
     const auto before = simulation.model().nodes.v;
     const auto shown = velocities_of(simulation);
-    const Vec3 of_projectile = simulation.projectile_velocity(),
-               behind = simulation.model().projectile->velocity();
+    const Vec3 of_projectile = simulation.projectile_velocity(0),
+               behind = simulation.model().projectiles.front().body.velocity();
     const double last = simulation.time();
     simulation.integrate();
     const auto& nodes = simulation.model().nodes;
@@ -74,7 +78,8 @@ TEST_F(Frames, HaveTheVelocitiesOfTheirTime) {
         const Vec3 expected = (before[n] + nodes.v[n]) / 2;
         EXPECT_LT((shown[i++] - expected).norm(), 1e-9) << n;  // m/s; the times above are rounded
     }
-    EXPECT_LT((of_projectile - (behind + simulation.model().projectile->velocity()) / 2).norm(), 1e-9);
+    EXPECT_LT((of_projectile - (behind + simulation.model().projectiles.front().body.velocity()) / 2).norm(),
+              1e-9);
     EXPECT_GT((of_projectile - behind).norm(), 1e-6);
 }
 
@@ -101,9 +106,9 @@ TEST_F(Frames, HaveTheKineticEnergyOfTheHistory) {
 
     const auto frame = frame_of(simulation, {Field::velocity});
     const auto& surface = array(frame, "velocity").projectile;
-    const auto& projectile = *simulation.model().projectile;
-    const body::Motion motion{projectile.centre(), balance.projectile_velocity,
-                              simulation.projectile_angular_velocity()};
+    const auto& projectile = simulation.model().projectiles.front().body;
+    const body::Motion motion{projectile.centre(), balance.projectiles[0].velocity,
+                              simulation.projectile_angular_velocity(0)};
     const Vec3 second = motion.at(projectile.to_space({1e-3, 0, -2e-3}));
     ASSERT_EQ(surface.size(), 6U);
     for (std::size_t d = 0; d < 3; ++d)
@@ -180,7 +185,7 @@ TEST_F(Frames, ShowTheStateBeforeAForceThatIsNotFinite) {
         if (nodes.owned[n]) {
             EXPECT_EQ(shown[i++], nodes.v[n]);
         }
-    EXPECT_EQ(simulation.projectile_velocity(), simulation.model().projectile->velocity());
+    EXPECT_EQ(simulation.projectile_velocity(0), simulation.model().projectiles.front().body.velocity());
 }
 
 // Any rank may ask, all stop after the same step, and nothing else changes.

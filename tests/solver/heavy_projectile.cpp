@@ -17,7 +17,7 @@ Balance struck_by(const std::string& mass, const parallel::Communicator& comm, b
         simulation.integrate();
     }
     simulation.advance_forces();
-    if (touched) *touched = simulation.counts().touched;
+    if (touched) *touched = simulation.shots().front().touched;
     return simulation.balance();
 }
 

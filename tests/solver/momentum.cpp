@@ -14,7 +14,7 @@ Vec3 momentum(const Simulation& simulation, const parallel::Communicator& comm, 
     const auto& nodes = simulation.model().nodes;
     const Vec3 fabric = sum_over_nodes(simulation, comm, Vec3(0, 0, 0),
                                        [&](std::size_t n) { return Vec3(nodes.mass[n] * nodes.v[n]); });
-    return fabric + projectile_mass * simulation.model().projectile->velocity();
+    return fabric + projectile_mass * simulation.model().projectiles.front().body.velocity();
 }
 
 /// Momentum without regard to signs: what rounding is relative to.
@@ -23,7 +23,7 @@ double rounded_momentum(const Simulation& simulation, const parallel::Communicat
     const auto& nodes = simulation.model().nodes;
     return sum_over_nodes(simulation, comm, 0.0,
                           [&](std::size_t n) { return nodes.mass[n] * nodes.v[n].norm(); }) +
-           projectile_mass * simulation.model().projectile->velocity().norm();
+           projectile_mass * simulation.model().projectiles.front().body.velocity().norm();
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ TEST(FreeFlight, KeepsTheMomentumOfTargetAndProjectile) {
                                    "projectile.velocity=[60 m/s, -30 m/s, 300 m/s]",
                                    "contact.projectile.friction=0.3", "contact.plies.friction=0.2"});
     Simulation simulation(scene, comm);
-    const double mass = scene.projectile->mass;
+    const double mass = scene.projectiles.front().mass;
     const Vec3 before = momentum(simulation, comm, mass);
     double tolerance = static_cast<double>(simulation.model().global.nodes) * u * mass * 310;
     while (simulation.time() < 30e-6) {
@@ -47,8 +47,8 @@ TEST(FreeFlight, KeepsTheMomentumOfTargetAndProjectile) {
         tolerance += 7 * u * std::max(last, rounded_momentum(simulation, comm, mass));
     }
     const Vec3 after = momentum(simulation, comm, mass);
-    const double given =
-        mass * (scene.projectile->velocity[2] - simulation.model().projectile->velocity().z());
+    const double given = mass * (scene.projectiles.front().velocity[2] -
+                                 simulation.model().projectiles.front().body.velocity().z());
     EXPECT_GT(given, 0.1 * before.z()) << "the target was hardly hit";
     for (int d = 0; d < 3; ++d) EXPECT_NEAR(after[d], before[d], tolerance) << "direction " << d;
     EXPECT_LT(tolerance, 1e-11 * before.norm());

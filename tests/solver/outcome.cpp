@@ -35,8 +35,8 @@ Run compute(const std::vector<std::string>& overrides, double end, const paralle
             simulation.integrate();
         }
     }
-    run.outcome = outcome_of(simulation);
-    run.passages = simulation.passages().plies();
+    run.outcome = outcome_of(simulation.shots().front());
+    run.passages = simulation.shots().front().passages.plies();
     return run;
 }
 
@@ -115,7 +115,7 @@ TEST(Penetration, IsThatOfTheDeepestPointWithItsPlace) {
     simulation.advance_forces();
     EXPECT_EQ(simulation.record_balance().deepest.element, -1);
     simulation.integrate();
-    auto& projectile = *simulation.model().projectile;
+    auto& projectile = simulation.model().projectiles.front().body;
     projectile.place({1e-3, -1e-3, 0.03e-3}, projectile.attitude(), projectile.velocity());
     simulation.advance_forces();
     const auto deepest = simulation.record_balance().deepest;

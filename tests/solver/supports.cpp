@@ -77,7 +77,7 @@ TEST(Supports, AFrameTakesMomentum) {
         const auto& nodes = framed.model().nodes;
         const double fabric =
             sum_over_nodes(framed, comm, 0.0, [&](std::size_t i) { return nodes.mass[i] * nodes.v[i].z(); });
-        const double now = fabric + 0.5e-3 * framed.model().projectile->velocity().z();
+        const double now = fabric + 0.5e-3 * framed.model().projectiles.front().body.velocity().z();
         ASSERT_LT(now, last + 1e-12 * initial) << "the frame pulled, step " << n;
         last = now;
     }

@@ -32,7 +32,7 @@ TEST(Symmetry, PartsOfTheTargetHaveTheHistoryOfTheWhole) {
     constexpr int steps = 800;
     const auto full = history(comm, "[]", steps);
     const double initial = full[0].kinetic_projectile;
-    ASSERT_LT(full.back().projectile_velocity.z(), 0.8 * 200) << "m/s: the target was hardly hit";
+    ASSERT_LT(full.back().projectiles[0].velocity.z(), 0.8 * 200) << "m/s: the target was hardly hit";
     ASSERT_GT(full.back().contact, 1e-3 * initial);
     for (const std::string symmetry : {"[x]", "[y]", "[x, y]"}) {
         const auto part = history(comm, symmetry, steps);
@@ -40,7 +40,7 @@ TEST(Symmetry, PartsOfTheTargetHaveTheHistoryOfTheWhole) {
         for (std::size_t i = 0; i < full.size(); ++i) {
             SCOPED_TRACE(symmetry + ", row " + std::to_string(i));
             EXPECT_NEAR(part[i].time, full[i].time, 3.6e-10 * full[i].time);  // the step follows the strain
-            EXPECT_NEAR(part[i].projectile_velocity.z(), full[i].projectile_velocity.z(), 3.6e-8);
+            EXPECT_NEAR(part[i].projectiles[0].velocity.z(), full[i].projectiles[0].velocity.z(), 3.6e-8);
             for (const auto column :
                  {&Balance::kinetic_fabric, &Balance::kinetic_projectile, &Balance::internal,
                   &Balance::hourglass, &Balance::contact, &Balance::friction})

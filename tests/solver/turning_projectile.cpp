@@ -25,7 +25,7 @@ TEST(TurningProjectile, KeepsTheAngularMomentumOfTargetAndProjectile) {
     Simulation simulation(scene_with({"target.plies.count=2", inclined, "contact.projectile.friction=0.3"}),
                           comm);
     const auto& nodes = simulation.model().nodes;
-    const auto& projectile = *simulation.model().projectile;
+    const auto& projectile = simulation.model().projectiles.front().body;
     const auto angular = [&] {
         const Vec3 fabric = sum_over_nodes(simulation, comm, Vec3(0, 0, 0), [&](std::size_t n) {
             return Vec3(nodes.mass[n] * nodes.x[n].cross(nodes.v[n]));
@@ -64,7 +64,7 @@ TEST(TurningProjectile, ClosesTheEnergyLedger) {
         simulation.advance_forces();
         const auto balance = simulation.balance();
         largest = std::max(largest, std::abs(balance.energy_error));
-        ASSERT_TRUE(balance.rotation.has_value());
+        ASSERT_TRUE(balance.projectiles[0].rotation.has_value());
         simulation.integrate();
     }
     EXPECT_LT(largest, 2e-3);
@@ -81,7 +81,7 @@ TEST(TurningProjectile, LosesSpinToFriction) {
         all.insert(all.end(), {"target.plies.count=2", spinning});
         Simulation simulation(scene_with(all), comm);
         while (simulation.time() < 20e-6) advance(simulation, 1);
-        return simulation.model().projectile->angular_velocity().z();
+        return simulation.model().projectiles.front().body.angular_velocity().z();
     };
     const double before = 300000 * 2 * std::numbers::pi / 60, without = spin_after({});
     EXPECT_NEAR(without, before, 1e-3 * before);
@@ -93,12 +93,12 @@ TEST(TurningProjectile, KeepsItsAttitudeWhereItsRotationIsFixed) {
     Simulation simulation(
         scene_with({"target.plies.count=2", inclined, "projectile.spin=", "projectile.fixed=rotation"}),
         comm);
-    const auto start = simulation.model().projectile->attitude().quaternion();
+    const auto start = simulation.model().projectiles.front().body.attitude().quaternion();
     advance(simulation, 200);
-    EXPECT_EQ(simulation.model().projectile->attitude().quaternion(), start);
+    EXPECT_EQ(simulation.model().projectiles.front().body.attitude().quaternion(), start);
     simulation.advance_forces();
-    EXPECT_FALSE(simulation.balance().rotation.has_value());
-    EXPECT_GT(simulation.balance().contact_force.norm(), 0);
+    EXPECT_FALSE(simulation.balance().projectiles[0].rotation.has_value());
+    EXPECT_GT(simulation.balance().projectiles[0].contact_force.norm(), 0);
 }
 
 /// Angular velocity after a shot of 40 us at a target with these planes of symmetry.
@@ -109,7 +109,7 @@ Vec3 turned(const std::string& symmetry, const parallel::Communicator& comm) {
                     "velocity: [0, 20 m/s, 200 m/s], orientation: {pitch: 15 deg}}"}),
         comm);
     while (simulation.time() < 40e-6) advance(simulation, 1);
-    return simulation.model().projectile->angular_velocity();
+    return simulation.model().projectiles.front().body.angular_velocity();
 }
 
 TEST(TurningProjectile, TurnsInAPlaneOfSymmetryAsWithoutIt) {

@@ -1,4 +1,5 @@
-"""A spinning, oblique shot with friction leaves the same files on any number of ranks and after a restart:
+"""A spinning, oblique shot with friction and a later one leave the same files on any number of ranks and after a
+restart:
 turning_shot.py WEAVEFRONT MPIEXEC H5DIFF SCENE"""
 
 import subprocess
@@ -19,7 +20,13 @@ def check_shot(output):
     assert all(after >= before for before, after in zip(friction, friction[1:])), "friction gave energy"
     assert abs(rows[-1]["projectile_wx"]) > 100 and rows[-1]["projectile_wz"] != rows[0]["projectile_wz"]
     assert rows[-1]["broken_yarns"] > 0
+    assert rows[-1]["projectile2_vz"] < 0.9 * rows[0]["projectile2_vz"], "the second one hardly hit"
     assert max(abs(row["energy_error"]) for row in rows) < 0.01
+    outcomes = runs.summary(output)["projectiles"]
+    assert [outcome["residual_velocity"] for outcome in outcomes] == [
+        rows[-1]["projectile_vz"],
+        rows[-1]["projectile2_vz"],
+    ]
 
 
 def main():

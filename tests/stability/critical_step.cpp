@@ -87,8 +87,8 @@ class State {
         auto& nodes = simulation.model().nodes;
         nodes.mass.assign(nodes.mass.size(), 1e100);
         nodes.supports.assign(nodes.supports.size(), 0);  // they move as the path says
-        if (auto& projectile = simulation.model().projectile)
-            projectile->place(projectile->position(), projectile->attitude(), Vec3::Zero());
+        for (auto& projectile : simulation.model().projectiles)
+            projectile.body.place(projectile.body.position(), projectile.body.attitude(), Vec3::Zero());
         simulation.advance_forces();
         for (int k = 1; k <= path_steps; ++k)
             step_to(simulation, position(nodes.initial, 1.0 * k / path_steps));

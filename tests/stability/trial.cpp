@@ -66,7 +66,8 @@ class GuardedRun {
         if (simulation_.steps() == 0) initial_ = row.total();
         transferred_ = std::max({transferred_, row.total() - row.kinetic_projectile, 0x1p-20 * initial_});
         const double error = (row.total() - initial_) / transferred_;
-        see({row.time, row.projectile.z(), row.projectile_velocity.z(), row.contact_force.z(),
+        const auto projectile = row.projectiles.empty() ? solver::ProjectileNow() : row.projectiles.front();
+        see({row.time, projectile.position.z(), projectile.velocity.z(), projectile.contact_force.z(),
              row.kinetic_fabric, row.kinetic_projectile, row.internal, row.hourglass, row.contact,
              row.friction, row.damping, row.eroded, row.max_displacement, row.time_step, error});
         result_.time = row.time;

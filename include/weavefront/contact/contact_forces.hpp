@@ -2,6 +2,7 @@
 /// @file
 /// Results of one kind of contact in a step.
 
+#include <cstdint>
 #include <vector>
 
 #include "weavefront/contact/deepest.hpp"
@@ -10,14 +11,19 @@
 
 namespace weavefront::contact {
 
+/// Moment on a projectile about its centre of mass.
+struct MomentOnProjectile {
+    Vec3 moment;  ///< N m
+    std::uint16_t projectile;
+};
+
 /// Forces of pairs, sliding energy of facets, and the deepest penetration.
 struct ContactForces {
-    std::vector<PairForce> pairs;        ///< of the pressures
-    std::vector<PairForce> friction;     ///< tangential, of pairs with friction
-    std::vector<SlidingEnergy> sliding;  ///< J, one for each facet with sliding
-    /// Moments on a projectile that turns, N m: about its centre of mass, one for each facet that presses.
-    std::vector<Vec3> moments;
-    std::vector<Vec3> friction_moments;  ///< the same of the tangential forces
+    std::vector<PairForce> pairs;             ///< of the pressures
+    std::vector<PairForce> friction;          ///< tangential, of pairs with friction
+    std::vector<SlidingEnergy> sliding;       ///< J, one for each facet with sliding
+    std::vector<MomentOnProjectile> moments;  ///< on those that turn, one for each facet that presses
+    std::vector<MomentOnProjectile> friction_moments;  ///< the same of the tangential forces
     Deepest deepest;
 
     void clear() {

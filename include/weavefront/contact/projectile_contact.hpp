@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Contact between the projectile and the fabric, on the rank that owns the element.
+/// Contact between a projectile and the fabric, on the rank that owns the element.
 
 #include <cstdint>
 #include <memory>
@@ -25,9 +25,10 @@ class ProjectileContact {
     /// @param shape      of the projectile
     /// @param projectile at the start
     /// @param x          initial positions, for the integration points, m
+    /// @param number     of the projectile
     ProjectileContact(std::shared_ptr<const body::Shape> shape, const body::RigidBody& projectile,
                       const scene::ContactLaw& law, std::optional<double> spacing, const Surface& surface,
-                      std::span<const Vec3> x);
+                      std::span<const Vec3> x, std::uint16_t number = 0);
 
     /// Chooses the owned facets that may come under the projectile. They hold until a node or the projectile
     /// is more than half of `skin` outside of its swept bounds in x or y.
@@ -96,6 +97,7 @@ class ProjectileContact {
         PenaltyLaw law;
     };
 
+    std::uint16_t number_;
     std::shared_ptr<const body::Shape> shape_;
     body::Bounds bounds_;   ///< of the shape, m
     bool is_upright_;       ///< its axes are those of space, always

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,6 +35,7 @@ struct RigidPair {
     body::Motion motion;                   ///< of the body
     bool turns = false;                    ///< whether moments turn the body
     const CoulombLaw* friction = nullptr;  ///< none: contact without friction
+    std::uint16_t projectile = 0;          ///< number of the body, where it is a projectile
 };
 
 /// State of a facet's contact with a rigid body. `Point` has a member `penetration`.
@@ -76,7 +78,7 @@ class RigidFriction {
           turn_(turn_of(corners, velocities, dt)),
           dt_(dt),
           tractions_(tractions),
-          sum_(pair.facet.nodes, pair.body) {
+          sum_(pair.facet.nodes, pair.body, pair.projectile) {
         if (tractions_.empty()) tractions_.resize(pair.rule.size() * batch_width);
     }
 
@@ -99,7 +101,7 @@ class RigidFriction {
 
     /// Appends the force and the moment of the facet.
     void finish(ContactForces& forces) const {
-        if (moment_ != Vec3::Zero()) forces.friction_moments.push_back(moment_);
+        if (moment_ != Vec3::Zero()) forces.friction_moments.push_back({moment_, pair_.projectile});
         if (sum_.total != Vec3::Zero()) forces.friction.push_back(sum_);
     }
 
@@ -125,7 +127,7 @@ void press(const RigidPair& pair, const NodalMotion& nodes, double sliding_share
     if (points.empty()) points.resize(pair.rule.size() * batch_width);
     const auto corners = corners_of(pair.facet.nodes, nodes.x),
                velocities = corners_of(pair.facet.nodes, nodes.v);
-    PairForce sum(pair.facet.nodes, pair.body);
+    PairForce sum(pair.facet.nodes, pair.body, pair.projectile);
     SlidingEnergy sliding;
     Vec3 moment = Vec3::Zero();
     std::optional<PushDirections> directions;
@@ -161,7 +163,7 @@ void press(const RigidPair& pair, const NodalMotion& nodes, double sliding_share
         }
     }
     if (friction) friction->finish(forces);
-    if (moment != Vec3::Zero()) forces.moments.push_back(moment);
+    if (moment != Vec3::Zero()) forces.moments.push_back({moment, pair.projectile});
     if (sum.total != Vec3::Zero()) forces.pairs.push_back(sum);
     if (sliding.is_any()) forces.sliding.push_back(sliding.times(pair.area));
 }

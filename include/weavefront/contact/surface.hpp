@@ -77,6 +77,7 @@ struct PairForce {
     std::array<Vec3, 4> on_slave, on_master;  ///< N
     Vec3 total{0, 0, 0};                      ///< on the slave, N; the master receives the opposite
     Master kind = Master::facet;
+    std::uint16_t projectile = 0;  ///< its number, where that is the master
 
     PairForce(const std::array<std::int32_t, 4>& slave_nodes, const std::array<std::int32_t, 4>& master_nodes)
         : slave(slave_nodes), master(master_nodes) {
@@ -84,9 +85,10 @@ struct PairForce {
         on_master.fill(Vec3::Zero());
     }
     /// Fabric against a rigid body, which has no nodes.
-    PairForce(const std::array<std::int32_t, 4>& slave_nodes, Master rigid)
+    PairForce(const std::array<std::int32_t, 4>& slave_nodes, Master rigid, std::uint16_t number = 0)
         : PairForce(slave_nodes, std::array<std::int32_t, 4>{}) {
         kind = rigid;
+        projectile = number;
     }
 
     /// Adds the force at one point of a batch.

@@ -20,14 +20,21 @@ struct Rotation {
     std::array<double, 3> moment{};            ///< of the contact, about its centre of mass, N m
 };
 
-/// One row of history.csv; the columns are written in this order.
+/// Columns of a projectile.
+struct ProjectileRow {
+    std::array<double, 3> position{};       ///< of the nose, m
+    std::array<double, 3> velocity{};       ///< m/s
+    std::array<double, 3> contact_force{};  ///< of the fabric on the projectile, N
+    std::optional<Rotation> rotation = {};  ///< in all rows of a file, or in none
+};
+
+/// One row of history.csv. The columns are written in this order, those of the second and further projectiles
+/// at the end.
 struct HistoryRow {
     double time = 0;
-    std::array<double, 3> projectile{};           ///< position of the nose, m
-    std::array<double, 3> projectile_velocity{};  ///< m/s
-    std::array<double, 3> contact_force{};        ///< of the fabric on the projectile, N
-    double kinetic_fabric = 0;                    ///< J, as all energies
-    double kinetic_projectile = 0;
+    std::vector<ProjectileRow> projectiles;  ///< the first one's columns are 0 where there is none
+    double kinetic_fabric = 0;               ///< J, as all energies
+    double kinetic_projectile = 0;           ///< of all projectiles
     double internal = 0;
     double hourglass = 0;
     double contact = 0;   ///< stored and damped in contact, without its friction
@@ -48,7 +55,6 @@ struct HistoryRow {
     std::int64_t debris_elements = 0;             ///< neither eroded nor joined to a support
     double debris_mass = 0;                       ///< kg
     double debris_displacement = 0;               ///< largest displacement along z of a node of debris, m
-    std::optional<Rotation> rotation = {};        ///< in all rows of a file, or in none
     std::optional<double> contact_friction = {};  ///< taken by contact friction; in all rows, or in none
 };
 
@@ -63,7 +69,7 @@ struct Topology {
     std::vector<std::int32_t> ply;                          ///< of the owned elements, 1 = struck first
 };
 
-/// Surface of the projectile, the same on all ranks, relative to its nose. Empty without a projectile.
+/// Surfaces of the projectiles, the same on all ranks, each relative to its nose. Empty without a projectile.
 struct Surface {
     std::vector<std::array<double, 3>> points;       ///< m
     std::vector<std::array<std::int64_t, 4>> quads;  ///< indices into `points`
@@ -76,7 +82,7 @@ struct Array {
     int components = 1;
     bool integer = false;  ///< stored as int8 (flags)
     std::vector<double> values;
-    std::vector<double> projectile;  ///< of the points of the projectile's surface; empty: zeros
+    std::vector<double> projectile;  ///< of the points (or quads) of the surface; empty: zeros
 };
 
 /// One frame of results.vtkhdf.

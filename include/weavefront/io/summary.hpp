@@ -34,6 +34,14 @@ struct ShotOutcome {
     std::optional<double> deepest_time;    ///< s
 };
 
+/// Of one of several projectiles.
+struct ProjectileOutcome {
+    std::string verdict;               ///< as that of ShotOutcome
+    std::optional<double> decided_at;  ///< s; null: it is not
+    std::int64_t plies_perforated = 0;
+    double residual_velocity = 0;  ///< m/s
+};
+
 /// Outcome of a run; the keys of the file are the names of the members. SI units.
 struct Summary {
     std::string status;                           ///< finished, stopped or interrupted
@@ -49,13 +57,14 @@ struct Summary {
     std::vector<PhaseTime> wall_seconds;  ///< in the order in which they are listed
     std::int64_t element_steps = 0;
     double nanoseconds_per_element_step = 0;
-    std::optional<ShotOutcome> outcome;       ///< null without a projectile
-    std::optional<double> residual_velocity;  ///< m/s; null without a projectile
-    double max_displacement = 0;              ///< m
-    double back_face_deflection = 0;          ///< m
-    double energy_error = 0;                  ///< 1
-    std::int64_t broken_yarns = 0;            ///< element-directions, whole target
-    std::int64_t eroded_elements = 0;         ///< whole target
+    std::optional<ShotOutcome> outcome;          ///< of the first projectile; null: there is none
+    std::optional<double> residual_velocity;     ///< of the first projectile, m/s; null: there is none
+    std::vector<ProjectileOutcome> projectiles;  ///< where there are several; empty: left out
+    double max_displacement = 0;                 ///< m
+    double back_face_deflection = 0;             ///< m
+    double energy_error = 0;                     ///< 1
+    std::int64_t broken_yarns = 0;               ///< element-directions, whole target
+    std::int64_t eroded_elements = 0;            ///< whole target
     std::vector<std::optional<double>>
         first_break;  ///< time at which the first yarn of each ply broke, s; null: all whole
     std::vector<std::string> left_out;  ///< what the scene does not ask for

@@ -57,8 +57,8 @@ struct Panel {
     [[nodiscard]] int multiplicity() const { return (symmetry[0] ? 2 : 1) * (symmetry[1] ? 2 : 1); }
 };
 
-/// The panel of a scene's target, graded around the axis of the projectile. Without a projectile the origin
-/// takes its place.
+/// The panel of a scene's target, graded around the axis of the first projectile. Without a projectile the
+/// origin takes its place.
 /// @throws std::invalid_argument when the scene has no target
 Panel make_panel(const scene::Scene& scene);
 

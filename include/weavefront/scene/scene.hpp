@@ -240,6 +240,7 @@ struct Projectile {
     std::array<double, 3>
         position{};  ///< of the foremost point of its nose on the axis, m; default: touching the first ply
     std::array<double, 3> velocity{};  ///< of the centre of mass, m/s
+    double delay = 0;  ///< how much later it comes than from `position`: it starts so far behind, s
     std::array<double, 4> attitude{1, 0, 0,
                                    0};         ///< unit quaternion w, x, y, z from its axes to those of space
     std::array<double, 3> angular_velocity{};  ///< in the axes of space, rad/s
@@ -259,6 +260,15 @@ struct Projectile {
     double sector = 0;               ///< angle of the part of the ring, rad
     std::vector<std::array<double, 2>> profile{};  ///< (r, z) from the nose to the rear, m
     Triangles triangles{};                         ///< of a mesh
+
+    /// Where it is when the run starts, m.
+    [[nodiscard]] std::array<double, 3> start() const {
+        auto start = position;
+        if (delay > 0)
+            for (std::size_t i = 0; i < 3; ++i) start[i] -= delay * velocity[i];
+        return start;
+    }
+    [[nodiscard]] double speed() const { return std::hypot(velocity[0], velocity[1], velocity[2]); }
 };
 
 /// Penalty contact with hysteresis; stiffness per area is a property of the fabric.
@@ -293,7 +303,8 @@ struct Scene {
     std::string title;
     std::vector<Fabric> fabrics;
     std::optional<Target> target;  ///< absent: only `cell` and `yarn` can use the scene
-    std::optional<Projectile> projectile;
+    std::vector<Projectile> projectiles;
+    bool has_projectile_list = false;  ///< whether the file has `projectiles`, not `projectile`
     Contact contact;
     double damping = 0;  ///< mass-proportional, 1/s
     struct Time {
@@ -310,9 +321,33 @@ struct Scene {
     std::string hash;      ///< 16 hex digits (FNV-1a 64) of `resolved`
     MessageUnits units;    ///< of messages; no value depends on them
 
+    /// Diameter of the widest projectile, m; 0: there is none.
+    [[nodiscard]] double largest_diameter() const {
+        double largest = 0;
+        for (const auto& projectile : projectiles) largest = std::max(largest, projectile.diameter);
+        return largest;
+    }
+    /// Speed of the slowest projectile, m/s; 0: there is none.
+    [[nodiscard]] double least_speed() const {
+        double least = largest_speed();
+        for (const auto& projectile : projectiles) least = std::min(least, projectile.speed());
+        return least;
+    }
+    /// How much later than the first one the last projectile comes, s.
+    [[nodiscard]] double largest_delay() const {
+        double largest = 0;
+        for (const auto& projectile : projectiles) largest = std::max(largest, projectile.delay);
+        return largest;
+    }
+    /// Speed of the fastest projectile, m/s; 0: there is none.
+    [[nodiscard]] double largest_speed() const {
+        double largest = 0;
+        for (const auto& projectile : projectiles) largest = std::max(largest, projectile.speed());
+        return largest;
+    }
     /// Whether any contact that can occur has friction.
     [[nodiscard]] bool has_contact_friction() const {
-        const bool of_projectile = projectile && contact.projectile && contact.projectile->friction,
+        const bool of_projectile = !projectiles.empty() && contact.projectile && contact.projectile->friction,
                    of_plies = target && target->plies.size() > 1 && contact.plies && contact.plies->friction,
                    of_frame = target && target->frame && contact.frame.friction,
                    of_clamp = target && (target->clamps[0] || target->clamps[1]);

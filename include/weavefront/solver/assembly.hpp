@@ -19,7 +19,7 @@ class Assembly {
   public:
     Assembly() = default;
     /// @param largest_force that a single element or pair in contact is expected to exert, N
-    /// @param largest_arm of the forces on the projectile about its centre of mass, m
+    /// @param largest_arm of the forces on a projectile about its centre of mass, m
     Assembly(double largest_force, double largest_arm)
         : scale_(largest_force), moment_scale_(largest_force * largest_arm) {}
 
@@ -30,8 +30,8 @@ class Assembly {
     void add_packs(const shell::ElementGroup& group, std::int32_t first, std::int32_t count,
                    std::span<const double> forces, std::vector<FixedVector>& sums);
 
-    /// A pair in contact; what it exerts on the projectile is added to `on_projectile`.
-    void add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums, FixedVector& on_projectile);
+    /// A pair in contact. @param on_projectile takes what a pair with a projectile exerts on it
+    void add_pair(const contact::PairForce& pair, std::vector<FixedVector>& sums, FixedVector* on_projectile);
 
     /// A force on one node, N. One that is out of range makes the contact faulty.
     void add_force(const Vec3& force, FixedVector& sum);

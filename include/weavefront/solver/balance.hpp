@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "weavefront/contact/deepest.hpp"
 #include "weavefront/mesh/vec3.hpp"
@@ -18,6 +19,14 @@ struct Rotation {
         moment{0, 0, 0};  ///< in the axes of space, about its centre of mass, rad/s, N m
 };
 
+/// A projectile at the time of a balance.
+struct ProjectileNow {
+    Vec3 position{0, 0, 0};       ///< of its nose, m
+    Vec3 velocity{0, 0, 0};       ///< m/s
+    Vec3 contact_force{0, 0, 0};  ///< on the projectile, N
+    std::optional<Rotation> rotation = {};
+};
+
 /// Everything refers to the whole target, also when a symmetric part is modelled. Energies in J.
 ///
 /// Work is counted as the trapezoid of the forces over each step. With the kinetic energy taken as m
@@ -26,10 +35,8 @@ struct Rotation {
 /// contact points do, so the defect tests the kernel, not the bookkeeping.
 struct Balance {
     double time = 0;
-    Vec3 projectile{0, 0, 0}, projectile_velocity{0, 0, 0},
-        contact_force{0, 0, 0};  ///< m, m/s, N on the projectile
-    std::optional<Rotation> rotation;
-    double kinetic_fabric = 0, kinetic_projectile = 0;
+    std::vector<ProjectileNow> projectiles;
+    double kinetic_fabric = 0, kinetic_projectile = 0;  ///< of the fabric, of all projectiles
     double internal = 0;   ///< work done on the yarns and on their packing, stored or not
     double hourglass = 0;  ///< potential of the hourglass modes and of warping
     double contact = 0;    ///< stored and damped in contact, without its friction
@@ -39,7 +46,7 @@ struct Balance {
     double eroded = 0;        ///< hourglass energy let go with broken yarns and eroded elements
     double energy_error = 0;  ///< closure error over the initial energy
     double transferred_energy =
-        0;  ///< most that was elsewhere than in the projectile up to now, J; at least what the sums resolve
+        0;  ///< most that was elsewhere than in the projectiles up to now, J; at least what the sums resolve
     double closure_error =
         0;  ///< closure error over the transferred energy: what a heavy projectile keeps cannot hide it
     std::int64_t broken_yarns = 0, eroded_elements = 0;

@@ -18,7 +18,8 @@ struct ContactModes {
 
 /// Contact closed everywhere and unloading, on the slope of u k. The highest mode of a free stack of n plies
 /// has f = 4 cos^2(pi/(2 n)) springs over its mass per area: omega^2 = f u k/m and 2 xi omega = f c/m. A
-/// light projectile adds its own mode, with its cross-section for the area.
+/// light projectile adds its own mode, with its cross-section for the area. Of several projectiles, the two
+/// largest values count: fabric is between two of them at most.
 ///
 /// With friction, points may stick or slip. A point that slips has the stiffness k_n (n + mu t) n^T. It adds
 /// at most the largest eigenvalue of its symmetric part to the real part of any eigenvalue. That is

@@ -3,7 +3,6 @@
 /// Events and extremes that a run counts.
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,9 +22,6 @@ struct Counts {
     double largest_hourglass = 0, largest_internal = 0;     ///< J
     double largest_closure_error = 0;                       ///< see Balance
     contact::Deepest deepest;                               ///< over the steps
-    bool touched = false;               ///< whether any force ever acted on the projectile
-    double last_touched = 0;            ///< when it did last, s
-    std::optional<double> turned_back;  ///< when the projectile first moved away from the target, s
 
     /// @pre on writing, `deepest` is that of all ranks
     template <class Archive>
@@ -48,9 +44,6 @@ struct Counts {
         archive("counts.deepest.z", deepest.place[2]);
         archive("counts.deepest.element", deepest.element);
         archive("counts.deepest.time", deepest.time);
-        archive("counts.touched", touched);
-        archive("counts.last_touched", last_touched);
-        archive("counts.turned_back", turned_back);
     }
 };
 

@@ -11,9 +11,9 @@ namespace weavefront::solver {
 /// Sums of one rank, as integers of `scale`: their sums over the ranks do not depend on an order.
 struct Ledger {
     parallel::FixedPoint scale, mass_scale;  ///< of energies, of masses
-    double initial_energy = 0;               ///< of the projectile, J
+    double initial_energy = 0;               ///< of the projectiles, J
     double energy_scale = 0;                 ///< most that the target can take over, J
-    double transferred_energy = 0;           ///< most that was recorded outside of the projectile, J
+    double transferred_energy = 0;           ///< most that was recorded outside of the projectiles, J
     std::int64_t contact = 0, damping = 0;
     std::int64_t contact_friction = 0;
     bool has_contact_friction = false;  ///< of the scene

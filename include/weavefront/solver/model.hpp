@@ -8,13 +8,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "weavefront/body/rigid_body.hpp"
 #include "weavefront/contact/clamp_friction.hpp"
 #include "weavefront/contact/frame_contact.hpp"
 #include "weavefront/contact/nodal_normals.hpp"
 #include "weavefront/contact/ply_contact.hpp"
-#include "weavefront/contact/projectile_contact.hpp"
-#include "weavefront/contact/projectile_on_frame.hpp"
 #include "weavefront/mesh/panel.hpp"
 #include "weavefront/parallel/communicator.hpp"
 #include "weavefront/partition/decomposition.hpp"
@@ -25,6 +22,7 @@
 #include "weavefront/solver/element_slots.hpp"
 #include "weavefront/solver/ghosts.hpp"
 #include "weavefront/solver/nodes.hpp"
+#include "weavefront/solver/projectile.hpp"
 
 namespace weavefront::solver {
 
@@ -47,18 +45,19 @@ struct Model {
     Assembly assembly;
     GlobalIds global;
     double smallest_edge = 0;  ///< of all elements, m
-    std::optional<body::RigidBody> projectile;
-    double projectile_arm = 0;  ///< bound on the distance of its points from its centre of mass, m
-    std::optional<contact::ProjectileContact> projectile_contact;
+    std::vector<Projectile> projectiles;
     std::optional<contact::PlyContact> ply_contact;
     std::optional<contact::FrameContact> frame_contact;
     std::optional<contact::ClampFriction> clamp_friction;
-    std::optional<contact::ProjectileOnFrame> projectile_on_frame;
     /// What results show of owned elements that are eroded, as it was when that happened: their strains go on
     /// growing with their nodes.
     std::unordered_map<std::int32_t, shell::ElementOutput> eroded;
 
-    /// Whether contact remembers anything of an owned element: it touches another ply or the projectile.
+    /// Whether projectiles meet the fabric.
+    [[nodiscard]] bool has_projectile_contact() const {
+        return !projectiles.empty() && projectiles.front().contact;
+    }
+    /// Whether contact remembers anything of an owned element: it touches another ply or a projectile.
     [[nodiscard]] bool touches(std::int32_t element) const;
     /// What results show of an owned element.
     [[nodiscard]] shell::ElementOutput output(std::int32_t element) const;

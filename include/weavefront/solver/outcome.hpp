@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// What became of the shot.
+/// What became of a shot.
 
 #include <cstdint>
 #include <optional>
@@ -24,11 +24,11 @@ struct Outcome {
     std::int64_t plies_perforated = 0;  ///< that the projectile has passed through a hole
 };
 
-/// Of a run with a projectile and its contact; without them the projectile is still moving.
-Outcome outcome_of(const Simulation& simulation);
+/// Of a projectile that has contact; one without it is still moving.
+Outcome outcome_of(const Shot& shot);
 
-/// Whether the verdict stands and the back face has swung back: it is decided, nothing has touched the
-/// projectile over the last tenth of a diameter of its way, and the deflection has fallen by 1 % from its
+/// Whether the verdicts stand and the back face has swung back: that of every projectile is decided, nothing
+/// has touched it over the last tenth of a diameter of its way, and the deflection has fallen by 1 % from its
 /// largest. The latter is not asked of a perforated target that nothing supports, which flies on. Flaps
 /// around a hole may swing farther later.
 /// @param balance of the present time

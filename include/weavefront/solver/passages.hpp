@@ -1,10 +1,11 @@
 #pragma once
 /// @file
-/// Which plies the projectile has passed.
+/// Which plies a projectile has passed.
 
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "weavefront/mesh/panel.hpp"
@@ -34,11 +35,10 @@ class Passages {
     /// Notes the plies that the projectile has passed since the last look.
     /// @param fabric that is joined to the target now
     /// @param pairs  in contact now
-    /// @param middle of the projectile, m
-    /// @param radius of the projectile about its axis, m
+    /// @param number of the projectile, which has contact
     /// @note Collective
     void look(const Model& model, const JoinedFabric& fabric, const mesh::Panel& panel,
-              std::span<const contact::PairForce> pairs, const Vec3& middle, double radius, double time,
+              std::span<const contact::PairForce> pairs, std::size_t number, double time,
               const parallel::Communicator& comm);
 
     /// Of each ply; absent: the projectile has not passed it.
@@ -46,7 +46,7 @@ class Passages {
     [[nodiscard]] bool all() const;
 
     template <class Archive>
-    void state(Archive& archive) {
+    void state(Archive& archive, const std::string& name) {
         std::vector<double> times;
         std::vector<std::int64_t> plies, ways, elements;
         for (std::size_t ply = 0; ply < plies_.size(); ++ply) {
@@ -56,10 +56,10 @@ class Passages {
             ways.push_back(static_cast<std::int64_t>(plies_[ply]->way));
             elements.push_back(plies_[ply]->element);
         }
-        archive("passages.time", times);
-        archive("passages.ply", plies);
-        archive("passages.way", ways);
-        archive("passages.element", elements);
+        archive(name + ".time", times);
+        archive(name + ".ply", plies);
+        archive(name + ".way", ways);
+        archive(name + ".element", elements);
         for (std::size_t i = 0; i < plies.size(); ++i)
             plies_[static_cast<std::size_t>(plies[i])] = {times[i], static_cast<Way>(ways[i]), elements[i]};
     }

@@ -21,9 +21,9 @@
 #include "weavefront/solver/joined_fabric.hpp"
 #include "weavefront/solver/ledger.hpp"
 #include "weavefront/solver/model.hpp"
-#include "weavefront/solver/passages.hpp"
 #include "weavefront/solver/phases.hpp"
 #include "weavefront/solver/saved_state.hpp"
+#include "weavefront/solver/shot.hpp"
 #include "weavefront/solver/step_agreement.hpp"
 #include "weavefront/solver/step_bound.hpp"
 
@@ -93,7 +93,10 @@ class Simulation {
     [[nodiscard]] Model& model() { return model_; }
     [[nodiscard]] const mesh::Panel& panel() const { return panel_; }
     [[nodiscard]] const Counts& counts() const { return counts_; }
-    [[nodiscard]] const Passages& passages() const { return passages_; }
+    /// Of each projectile.
+    [[nodiscard]] const std::vector<Shot>& shots() const { return shots_; }
+    /// As looked for now and then.
+    [[nodiscard]] const ProjectileOverlap& projectile_overlap() const { return projectile_overlap_; }
     /// The fabric that is still joined to the target now. @note Collective
     [[nodiscard]] const JoinedFabric& joined_fabric() const;
     /// The deepest penetration of all ranks up to now. @note Collective
@@ -107,22 +110,19 @@ class Simulation {
         return std::ranges::any_of(scene_.target->edges,
                                    [](scene::Edge edge) { return edge != scene::Edge::free; });
     }
-    [[nodiscard]] double projectile_diameter() const {
-        return scene_.projectile ? scene_.projectile->diameter : 0;
+    [[nodiscard]] double projectile_diameter(std::size_t projectile) const {
+        return scene_.projectiles[projectile].diameter;
     }
     [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
     [[nodiscard]] const PhaseSeconds& seconds() const { return seconds_; }
     /// Whether the host of this rank lacks memory for its ranks to share: they send messages then.
     [[nodiscard]] bool lacks_shared_memory() const { return shared_memory_.is_refused(); }
-    /// The projectile at the start. @pre there is a projectile
-    [[nodiscard]] const body::RigidBody& initial_projectile() const { return *initial_projectile_; }
-    /// Velocity of an own node at the present time, as of the projectile between advance_forces and
+    /// Velocity of an own node at the present time, as of a projectile between advance_forces and
     /// integrate, m/s. The scheme itself keeps those of the middle of the last step.
     [[nodiscard]] Vec3 velocity(std::size_t node) const;
-    /// @pre there is a projectile
-    [[nodiscard]] Vec3 projectile_velocity() const;
-    /// Its angular velocity at the present time, rad/s. @pre there is a projectile
-    [[nodiscard]] Vec3 projectile_angular_velocity() const;
+    [[nodiscard]] Vec3 projectile_velocity(std::size_t projectile) const;
+    /// Angular velocity of a projectile at the present time, rad/s.
+    [[nodiscard]] Vec3 projectile_angular_velocity(std::size_t projectile) const;
 
   private:
     void advance_elements();
@@ -140,10 +140,12 @@ class Simulation {
     void record_events(const shell::Events& events);
     void book_sliding(ContactKind kind);
     void add_half_step_contact_work(double dt);
-    /// @param on_projectile moments on a projectile that turns
-    /// @param from_frame    on the projectile
+    /// @param moments on projectiles that turn
     void add_contact_work(std::int64_t& taken, std::span<const contact::PairForce> pairs,
-                          std::span<const Vec3> on_projectile, const body::Wrench& from_frame, double dt);
+                          std::span<const contact::MomentOnProjectile> moments, double dt);
+    /// @param from_frame on the projectile
+    void add_frame_work(std::int64_t& taken, const body::RigidBody& projectile,
+                        const body::Wrench& from_frame, double dt);
     [[noreturn]] void stop_at_fault() const;
     /// Global id of the lowest element with a force that is not finite or out of range; -1: none.
     /// @note Collective
@@ -152,8 +154,8 @@ class Simulation {
     [[nodiscard]] double severity(Fault fault, std::size_t element) const;
     [[nodiscard]] bool moved_far() const;
     [[nodiscard]] body::Wrench without_mirrored(body::Wrench wrench) const;
-    /// Bound on the speed of a point of the projectile, m/s.
-    [[nodiscard]] double fastest_point_of_projectile() const;
+    /// Points about which facets under the projectiles are searched, m; until the next call.
+    [[nodiscard]] std::span<const Vec3> search_points() const;
     /// Velocity of a local node in the middle of this step, damping included, m/s.
     [[nodiscard]] Vec3 updated_velocity(std::size_t node) const;
     void look_for_passages();
@@ -166,7 +168,7 @@ class Simulation {
     void add_nodal_energies(LedgerSums& sums) const;
     void add_element_energies(LedgerSums& sums) const;
     [[nodiscard]] Displacements displacements(LedgerSums& sums) const;
-    void add_projectile(Balance& balance) const;
+    void add_projectiles(Balance& balance) const;
     void close(Balance& balance) const;
     template <class Archive>
     void visit_values(Archive& archive);
@@ -189,24 +191,23 @@ class Simulation {
     bool stop_requested_ = false, checkpoint_requested_ = false;  // by this rank
     StepAgreement agreement_;  // of this rank while forces are computed, then of all ranks
 
-    body::Wrench on_projectile_;
-    contact::FromFrame from_frame_;
-    std::optional<body::RigidBody> initial_projectile_;
     contact::ContactForces contact_;
     std::array<contact::SlidingAccount, contact_kinds> sliding_;
     shell::AlignedVector<double> pack_forces_;
 
     struct Search {
         bool is_outdated = true;
-        bool any_eroded = false;                 // elements of any rank
-        contact::SweptBounds nodes, projectile;  // until candidates are chosen again
+        bool any_eroded = false;                  // elements of any rank
+        contact::SweptBounds nodes, projectiles;  // until candidates are chosen again
     };
     Search search_;
+    mutable std::vector<Vec3> search_points_;
     std::vector<std::int32_t> just_eroded_;
 
     Ledger ledger_;
     Counts counts_;
-    Passages passages_;
+    std::vector<Shot> shots_;
+    ProjectileOverlap projectile_overlap_;
     mutable JoinedFabric joined_;         // found anew when it is asked for and yarns have broken since
     mutable std::int64_t joined_at_ = 0;  // yarns that were broken on any rank when it was found
 };

@@ -5,7 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <vector>
+
+#include "weavefront/parallel/communicator.hpp"
 
 namespace weavefront::solver {
 
@@ -14,21 +16,31 @@ enum ContactKind : std::size_t { of_projectile, of_plies, of_frame, contact_kind
 
 /// Integers of one rank before the sum, of all ranks after it. Flags count ranks.
 struct StepAgreement {
-    std::array<std::int64_t, 3> projectile_force{};   ///< of the scale of the forces
-    std::array<std::int64_t, 3> projectile_moment{};  ///< of the scale of the moments
-    std::int64_t eroded = 0;                          ///< elements in this step
-    std::int64_t left_skin = 0;                       ///< a node has left its swept bounds
-    std::int64_t adaptation_due = 0;                  ///< the time step has to be adapted at once
-    std::int64_t stop = 0;                            ///< the run has to end
-    std::int64_t checkpoint = 0;                      ///< the state has to be written
-    std::int64_t fault = 0;                           ///< a force or an energy is not finite, or out of range
+    /// Of the fabric on a projectile.
+    struct OnProjectile {
+        std::array<std::int64_t, 3> force{};   ///< of the scale of the forces
+        std::array<std::int64_t, 3> moment{};  ///< of the scale of the moments
+    };
+
+    std::vector<OnProjectile> on_projectiles;
+    std::int64_t eroded = 0;          ///< elements in this step
+    std::int64_t left_skin = 0;       ///< a node has left its swept bounds
+    std::int64_t adaptation_due = 0;  ///< the time step has to be adapted at once
+    std::int64_t stop = 0;            ///< the run has to end
+    std::int64_t checkpoint = 0;      ///< the state has to be written
+    std::int64_t fault = 0;           ///< a force or an energy is not finite, or out of range
     std::array<std::int64_t, contact_kinds> sliding_released{}, sliding_wanted{};  ///< of the ledger's scale
 
-    /// All of them, for one sum over the ranks.
-    [[nodiscard]] std::span<std::int64_t> integers() {
-        return {projectile_force.data(), sizeof(StepAgreement) / sizeof(std::int64_t)};
-    }
+    /// Sets all integers to 0.
+    void clear();
+    /// Sums all integers over the ranks in one message. @note Collective
+    void sum(const parallel::Communicator& comm);
+
+  private:
+    template <class Visit>
+    void visit(Visit visit);
+
+    std::vector<std::int64_t> message_;
 };
-static_assert(sizeof(StepAgreement) == (3 + 3 + 6 + 2 * contact_kinds) * sizeof(std::int64_t));
 
 }  // namespace weavefront::solver

@@ -177,7 +177,7 @@ void require_calibration(const scene::Scene& scene, int ranks) {
     if (ranks < 2)
         refuse(
             "found 1 rank, allowed are 2 or more: mpirun -n N weavefront partition SCENE --calibrate FILE");
-    if (!scene.projectile || !scene.contact.plies || scene.target->plies.size() < 2)
+    if (scene.projectiles.empty() || !scene.contact.plies || scene.target->plies.size() < 2)
         refuse("allowed is a scene with a projectile and contact between plies");
 }
 

@@ -35,9 +35,10 @@ class ClosedForm {
         : smith_(name == "smith"), variant_(variant) {}
 
     [[nodiscard]] std::optional<double> outcome(const std::string& name) const {
-        if (!smith_ || !variant_.scene.projectile) return std::nullopt;
+        if (!smith_ || variant_.scene.projectiles.empty()) return std::nullopt;
         const double speed = partition::wave_speed(variant_.scene.fabrics.front());
-        const study::SmithImpact impact = study::smith_impact(variant_.scene.projectile->velocity[2], speed);
+        const study::SmithImpact impact =
+            study::smith_impact(variant_.scene.projectiles.front().velocity[2], speed);
         if (name == "strip_strain") return impact.strain;
         if (name == "strip_transverse_speed") return impact.transverse_speed;
         return name == "strip_longitudinal_speed" ? std::optional(speed) : std::nullopt;

@@ -58,8 +58,10 @@ std::string_view unit_of(std::string_view name) {
                                Unit{"stress", "Pa"},
                                Unit{"h_fill", "m"},
                                Unit{"evaluations", "1"}};
+    std::string plain(name);  // without the number of a projectile
+    std::erase_if(plain, [](char c) { return c >= '0' && c <= '9'; });
     const auto known =
-        std::ranges::find_if(units, [&](const Unit& unit) { return name.starts_with(unit.first); });
+        std::ranges::find_if(units, [&](const Unit& unit) { return plain.starts_with(unit.first); });
     return known == units.end() ? "SI" : known->second;
 }
 

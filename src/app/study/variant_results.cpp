@@ -37,15 +37,16 @@ std::optional<double> VariantResults::outcome(const std::string& name) const {
     if (name == "absorbed_energy")
         return history_.at("kinetic_projectile").front() - last("kinetic_projectile");
     if (name == "residual_velocity")
-        return variant_.scene.projectile ? std::optional(last("projectile_vz")) : std::nullopt;
+        return variant_.scene.projectiles.empty() ? std::nullopt : std::optional(last("projectile_vz"));
     return last(name);
 }
 
 std::optional<double> VariantResults::strip(const std::string& name) const {
-    if (summary_.value("status", "") != "finished" || !variant_.scene.projectile) return std::nullopt;
+    if (summary_.value("status", "") != "finished" || variant_.scene.projectiles.empty()) return std::nullopt;
     if (!waves_) {
         const double speed = partition::wave_speed(variant_.scene.fabrics.front());
-        const double expected = study::smith_impact(variant_.scene.projectile->velocity[2], speed).strain;
+        const double expected =
+            study::smith_impact(variant_.scene.projectiles.front().velocity[2], speed).strain;
         waves_ = study::measure_strip(strip_frames(folder_ / "results.vtkhdf"), expected);
     }
     if (name == "strip_strain") return waves_->strain;

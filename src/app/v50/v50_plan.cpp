@@ -129,15 +129,19 @@ void read_speeds(const V50Options& options, V50Plan& plan, Findings& findings) {
 /// What the scene says: the velocity to begin with, and what lacks.
 void read_velocity(const V50Options& options, V50Plan& plan, const scene::Scene& scene, Findings& findings) {
     const auto name = options.scene.string();
-    if (!scene.projectile || !scene.contact.projectile)
+    if (scene.projectiles.empty() || !scene.contact.projectile)
         return findings.push_back(
             fmt::format("{}: found no {}, allowed a scene with one, as a limit needs it", name,
-                        scene.projectile ? "contact.projectile" : "projectile"));
+                        scene.projectiles.empty() ? "projectile" : "contact.projectile"));
+    if (scene.projectiles.size() > 1)
+        return findings.push_back(
+            fmt::format("{}: found {} projectiles, allowed one: a limit is that of one projectile", name,
+                        scene.projectiles.size()));
     if (std::ranges::none_of(scene.fabrics, [](const auto& fabric) { return fabric.failure.has_value(); }))
         findings.push_back(fmt::format(
             "{}: found no fabric with failure, allowed at least one: nothing is perforated otherwise", name));
-    const auto& v = scene.projectile->velocity;
-    const double speed = std::hypot(v[0], v[1], v[2]);
+    const auto& v = scene.projectiles.front().velocity;
+    const double speed = scene.projectiles.front().speed();
     for (std::size_t i = 0; i < 3; ++i) plan.direction[i] = v[i] / speed;
     if (plan.unit.name.empty()) plan.unit = {scene.units.speed.name, scene.units.speed.si};
     plan.search.start =
@@ -204,7 +208,7 @@ std::vector<std::string> V50Plan::settings_of(std::size_t variant, int number, d
     auto all = settings;
     const auto& own = variants[variant].settings;
     all.insert(all.end(), own.begin(), own.end());
-    all.push_back(fmt::format("projectile.velocity=[{} m/s, {} m/s, {} m/s]", speed * direction[0],
+    all.push_back(fmt::format("{}=[{} m/s, {} m/s, {} m/s]", velocity_key, speed * direction[0],
                               speed * direction[1], speed * direction[2]));
     for (const auto& law : scatter) all.push_back(ballistics::drawn_setting(law, seed, number));
     return all;
@@ -239,7 +243,8 @@ V50Plan read_v50_plan(const V50Options& options, const parallel::Communicator& c
     raise(findings);
     plan.title = scene.title;
     plan.plies = static_cast<std::int64_t>(scene.target->plies.size());
-    plan.projectile_mass = scene.projectile->mass;
+    plan.velocity_key = scene.has_projectile_list ? "projectiles.0.velocity" : "projectile.velocity";
+    plan.projectile_mass = scene.projectiles.front().mass;
     plan.columns = columns_of(scene);
     plan.checkpoints = options.checkpoints;
     plan.settings = {"time.stop=decided", fmt::format("time.end={} s", longer * scene.time.end),

@@ -36,6 +36,7 @@ struct V50Plan {
     std::array<double, 3> direction{};  ///< of the shot, unit vector
     std::int64_t plies = 0;
     double projectile_mass = 0;  ///< kg
+    std::string velocity_key;    ///< of the scene
     int columns = 1;             ///< of elements: the most ranks that a shot can use
     std::string title;
     ballistics::SearchPlan search;

@@ -26,9 +26,8 @@ double depth_of_impact(double stiffness, double reduced, double speed) {
 // A stop within the thickness h of the ply takes the pressure mu speed^2/h in the mean, and contact gives k h
 // at the most: where the depth is more than h, what presses is behind the ply before the ply has its speed,
 // and contact has not been felt.
-void warn_of_soft_contact(const Shot& shot, Phrases& found) {
+void warn_of_soft_contact(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     const auto& contact = shot.scene.contact;
-    const auto& projectile = *shot.scene.projectile;
     const auto& units = shot.scene.units;
     const auto& ply = shot.struck();
     const double area = std::numbers::pi / 4 * projectile.diameter * projectile.diameter,
@@ -96,9 +95,8 @@ double size_at(const std::vector<double>& lines, double at) {
     return lines[end] - lines[end - 1];
 }
 
-void warn_of_coarse_contact(const Shot& shot, Phrases& found) {
+void warn_of_coarse_contact(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     const auto length = [&](double value) { return text_of(value, shot.scene.units.length); };
-    const auto& projectile = *shot.scene.projectile;
     const auto place = place_at(projectile, -shot.struck().contact_thickness / 2);
     const auto& spacing = shot.scene.contact.spacing;
     double elements = 0, points = 0;
@@ -120,11 +118,11 @@ void warn_of_coarse_contact(const Shot& shot, Phrases& found) {
 }
 
 /// @returns whether the projectile jumps over the fabric, which leaves nothing else to say
-bool warn_of_steps(const Shot& shot, Phrases& found) {
+bool warn_of_steps(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     double thinnest = std::numeric_limits<double>::max();
     for (const auto& ply : shot.panel.plies)
         thinnest = std::min(thinnest, shot.fabric_of(ply).contact_thickness);
-    const double way = shot.speed * shot.time_step;
+    const double way = projectile.speed() * shot.time_step;
     if (way <= thinnest) return false;
     found.push_back(fmt::format(
         "the projectile goes {} in a step, more than the {} that a ply is thick: it will pass through unseen",
@@ -134,12 +132,14 @@ bool warn_of_steps(const Shot& shot, Phrases& found) {
 
 }  // namespace
 
+void warn_of_projectile_contact(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
+    if (warn_of_steps(shot, projectile, found)) return;
+    if (has_plausible_weight(shot.struck())) warn_of_soft_contact(shot, projectile, found);
+    warn_of_coarse_contact(shot, projectile, found);
+}
+
 void warn_of_contact(const Shot& shot, Phrases& found) {
     warn_of_large_friction(shot.scene, found);
-    if (shot.scene.projectile && shot.scene.contact.projectile && !warn_of_steps(shot, found)) {
-        if (has_plausible_weight(shot.struck())) warn_of_soft_contact(shot, found);
-        warn_of_coarse_contact(shot, found);
-    }
     if (shot.scene.target->frame) warn_of_soft_frame(shot, found);
 }
 

@@ -26,15 +26,16 @@ void warn_of_time(const Shot& shot, Phrases& found) {
             fmt::format("the run ends at {}, within its first step of {}", time(end), time(shot.time_step)));
     else if (shot.has_plausible_end())
         return;
-    else if (shot.scene.projectile && shot.wave * end < shot.scene.projectile->diameter)
+    else if (shot.wave * end < shot.scene.largest_diameter())
         found.push_back(fmt::format(
             "the run ends at {}, when the wave in the yarns has gone {}, less than the projectile is wide",
             time(end), text_of(shot.wave * end, units.length)));
     else
-        found.push_back(fmt::format(
-            "the run ends at {}; {} crosses the target in {}", time(end),
-            shot.speed > 0 && shot.speed < shot.wave ? "the projectile's speed" : "the wave in the yarns",
-            time(shot.crossing())));
+        found.push_back(fmt::format("the run ends at {}; {} crosses the target in {}", time(end),
+                                    shot.speed > 0 && shot.scene.least_speed() < shot.wave
+                                        ? "the projectile's speed"
+                                        : "the wave in the yarns",
+                                    time(shot.crossing())));
 }
 
 void warn_of_output(const Shot& shot, Phrases& found) {

@@ -1,3 +1,5 @@
+#include "weavefront/solver/projectile.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +54,7 @@ void warn_of_yaw(const Shot& shot, const scene::Projectile& projectile, Phrases&
 /// Of a projectile that does not reach the target. Its default position touches the first ply.
 void warn_of_way(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     const double gap = -shot.struck().contact_thickness / 2 - projectile.position[2],
-                 time = gap / projectile.velocity[2];
+                 time = projectile.delay + gap / projectile.velocity[2];
     if (time >= shot.scene.time.end)
         found.push_back(fmt::format("the projectile needs {} to the first ply, the run ends at {}",
                                     text_of(time, shot.scene.units.time),
@@ -105,13 +107,27 @@ void warn_of_bars(const Shot& shot, const scene::Projectile& projectile, Phrases
 
 }  // namespace
 
-void warn_of_projectile(const Shot& shot, Phrases& found) {
-    const auto& projectile = *shot.scene.projectile;
+void warn_of_overlaps(const scene::Scene& scene, Phrases& found) {
+    if (scene.projectiles.size() < 2) return;
+    std::vector<solver::Projectile> projectiles;
+    for (const auto& projectile : scene.projectiles)
+        projectiles.push_back(solver::make_projectile(projectile));
+    solver::ProjectileOverlap overlap;
+    overlap.look(projectiles, 0);
+    if (overlap.depth > 0)
+        found.push_back(fmt::format(
+            "projectiles {} and {} start {} inside each other, and contact between projectiles is not "
+            "computed: give them other positions, or a delay",
+            overlap.first + 1, overlap.second + 1, text_of(overlap.depth, scene.units.length)));
+}
+
+void warn_of_projectile(const Shot& shot, const scene::Projectile& projectile, Phrases& found) {
     warn_of_shape(shot, projectile, found);
     warn_of_yaw(shot, projectile, found);
     warn_of_way(shot, projectile, found);
     warn_of_place(shot, projectile, found);
     if (shot.scene.target->frame) warn_of_bars(shot, projectile, found);
+    if (shot.scene.contact.projectile) warn_of_projectile_contact(shot, projectile, found);
 }
 
 }  // namespace weavefront::app

@@ -17,7 +17,7 @@ struct Shot {
     const scene::Scene& scene;
     const mesh::Panel& panel;
     double time_step;  ///< s; 0: not known
-    double speed;      ///< of the projectile, m/s; 0: none
+    double speed;      ///< of the fastest projectile, m/s; 0: none
     double wave;       ///< largest speed of the longitudinal wave in the yarns, m/s
 
     /// When the projectile or the wave, the slower one, has crossed the target, s.
@@ -50,9 +50,13 @@ void warn_of_weave(const Shot& shot, const scene::Fabric& fabric, Phrases& found
 void warn_of_material(const Shot& shot, const scene::Fabric& fabric, Phrases& found);
 /// Size, plies, mesh and frame of the target.
 void warn_of_target(const Shot& shot, Phrases& found);
-/// Mass, shape and way of the projectile.
-void warn_of_projectile(const Shot& shot, Phrases& found);
-/// Contact that is too soft, too coarse, or that the projectile escapes.
+/// Mass, shape and way of a projectile, and contact that it escapes.
+void warn_of_projectile(const Shot& shot, const scene::Projectile& projectile, Phrases& found);
+/// Projectiles that start inside each other.
+void warn_of_overlaps(const scene::Scene& scene, Phrases& found);
+/// Contact that is too soft or too coarse for a projectile, or that it escapes.
+void warn_of_projectile_contact(const Shot& shot, const scene::Projectile& projectile, Phrases& found);
+/// Contact of the frame, and friction.
 void warn_of_contact(const Shot& shot, Phrases& found);
 /// Time, output, damping and limits.
 void warn_of_controls(const Shot& shot, Phrases& found);

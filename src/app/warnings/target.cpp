@@ -51,7 +51,7 @@ void warn_of_plies(const Shot& shot, Phrases& found) {
 void warn_of_frame(const Shot& shot, Phrases& found) {
     const auto& frame = *shot.scene.target->frame;
     const auto length = [&](double value) { return text_of(value, shot.scene.units.length); };
-    const double across = shot.scene.projectile ? shot.scene.projectile->diameter : 0;
+    const double across = shot.scene.largest_diameter();
     for (std::size_t d = 0; d < 2; ++d) {
         const auto& half = frame.half_opening[d];
         if (!half) continue;

@@ -10,6 +10,7 @@ from .tables import read_columns
 from .text import literal
 
 LONGEST = 70  # letters of a title
+MOST_NAMED = 4  # projectiles in the legend
 
 
 def read_measured(path):
@@ -37,7 +38,9 @@ def draw_history(run, path, measured=None):
     draw_velocity(axes[1], run, time, measured)
     if force is not None:
         axes[2].plot(time, force * 1e-3, color=PURPLE, lw=1.0)
-        axes[2].set_ylabel("Contact\nforce, kN")
+        axes[2].set_ylabel(
+            "Contact force\non the first, kN" if run.further_velocities else "Contact\nforce, kN"
+        )
         axes[2].set_ylim(bottom=0)
     draw_broken(axes[-1], time, rows["broken_yarns"])
     axes[-1].set_xlabel("Time, µs")
@@ -64,7 +67,7 @@ def draw_displacement(panel, run, time, measured):
         time,
         displacement,
         color=BLUE,
-        label=f"nose of the projectile{reached}" if run.has_projectile else "no projectile",
+        label=f"nose of the {run.name_of_first}{reached}" if run.has_projectile else "no projectile",
     )
     if "back_face_deflection" in rows:
         deflection = rows["back_face_deflection"] * 1e3
@@ -83,7 +86,12 @@ def draw_displacement(panel, run, time, measured):
 def draw_velocity(panel, run, time, measured):
     """The projectile's velocity along z, and its speed where the shot is oblique."""
     velocity = run.history["projectile_vz"]
-    panel.plot(time, velocity, color=ORANGE, label=f"vz, last {signed(velocity[-1])} m/s")
+    first = "projectile 1: " if run.further_velocities else ""
+    panel.plot(time, velocity, color=ORANGE, label=f"{first}vz, last {signed(velocity[-1])} m/s")
+    for number, further in enumerate(run.further_velocities, start=2):
+        label = f"projectile {number}: vz, last {signed(further[-1])} m/s" if number <= MOST_NAMED else None
+        panel.plot(time, further, color=ORANGE, lw=1.0, alpha=0.55, label=label)
+        velocity = np.minimum(velocity, further)
     panel.set_ylabel("Velocity vz of the\nprojectile, m/s")
     if run.speed is not None:
         panel.plot(time, run.speed, color=INK, lw=1.0, label=f"speed, last {signed(run.speed[-1])} m/s")

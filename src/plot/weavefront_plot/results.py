@@ -1,4 +1,4 @@
-"""results.vtkhdf, read frame by frame: part 0 is the fabric, part 1 the projectile's surface."""
+"""results.vtkhdf, read frame by frame: part 0 is the fabric, part 1 the projectiles' surfaces."""
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -12,7 +12,7 @@ HIDDEN = 32  # bit of vtkGhostType on eroded cells
 FARTHEST = 1e6  # m, of a point
 LATEST = 1e6  # s
 PARTS, MOST = 1000, 1 << 40  # parts of the grid; rows of a part
-NOT_SHOWN = ("vtkGhostType",)
+NOT_SHOWN = ("vtkGhostType", "projectile")
 
 
 @dataclass
@@ -98,12 +98,12 @@ class Results:
             "VTKHDF/PointData/displacement", start, self.points_of_part[0], width=3, largest=FARTHEST
         )
 
-    def _cells(self, name, step, kinds=NUMBER):
+    def _cells(self, name, step, kinds=NUMBER, part=0):
         array, offsets, start = f"VTKHDF/CellData/{name}", f"VTKHDF/Steps/CellDataOffsets/{name}", 0
         constant = self.file.dataset(array).shape[:1] == (self.cells_of_part.sum(),)
         if self.file.has(offsets) or not constant:
             start = self.file.number(offsets, step)
-        return self.file.rows(array, start, self.cells_of_part[0], kinds)
+        return self.file.rows(array, start + self.cells_of_part[:part].sum(), self.cells_of_part[part], kinds)
 
     def arrays(self):
         """Names of the cell arrays that can be shown."""
@@ -128,11 +128,31 @@ class Results:
         """Whether the file says what is joined to a support, and something is at the start."""
         return "joined" in self.arrays() and bool(np.any(self._cells("joined", 0, INTEGER)))
 
-    def projectile(self, step):
-        """The projectile's surface, or None."""
+    @cached_property
+    def _quads_of_projectiles(self):
+        """The quads of each projectile's surface."""
         if len(self.parts) < 2 or len(self.parts[1]) == 0:
-            return None
-        return Mesh(self.points(step, 1), self.parts[1])
+            return []
+        quads = self.parts[1]
+        if not self.file.has("VTKHDF/CellData/projectile"):
+            return [quads]
+        number = self._cells("projectile", 0, part=1)
+        return [quads[number == each] for each in np.unique(number)]
+
+    def projectiles(self, step):
+        """The surface of each projectile."""
+        if not self._quads_of_projectiles:
+            return []
+        points = self.points(step, 1)
+        surfaces = []
+        for quads in self._quads_of_projectiles:
+            own, renumbered = np.unique(quads, return_inverse=True)
+            surfaces.append(Mesh(points[own], renumbered.reshape(quads.shape)))
+        return surfaces
+
+    def projectile(self, step):
+        """The surface of the first projectile, or None."""
+        return next(iter(self.projectiles(step)), None)
 
     def field(self, name, step):
         """A cell array; `stress` and `strain` are the greater of fill and warp, `height` the deflection."""

@@ -36,6 +36,7 @@ OPTIONAL = (
     "eroded",
     "back_face_deflection",
 )
+FURTHER = tuple(f"projectile{number}_vz" for number in range(2, 101))  # as many as a scene may have
 DIGITS = 9  # at most, after the point of a time in a file's name
 
 
@@ -54,7 +55,7 @@ class Run:
         path = self.folder / "history.csv"
         if self.has_history and not path.is_file():
             raise FileError(f"{path}: not a file")
-        columns = read_columns(path, REQUIRED, OPTIONAL, growing=True)
+        columns = read_columns(path, REQUIRED, (*OPTIONAL, *FURTHER), growing=True)
         if np.any(np.diff(columns["time"]) < 0):
             raise InputError(f"{path}: the times do not ascend")
         return columns
@@ -83,6 +84,11 @@ class Run:
         return self.history["kinetic_projectile"][0] > 0
 
     @cached_property
+    def further_velocities(self):
+        """Velocities along z of the second and further projectiles in m/s."""
+        return [self.history[name] for name in FURTHER if name in self.history]
+
+    @cached_property
     def speed(self):
         """The projectile's speed over the history in m/s where the shot is oblique, else None."""
         rows = self.history
@@ -107,7 +113,12 @@ class Run:
                 f"{name} {signed(np.interp(time, self.history['time'], values))} m/s"
                 for name, values in shown
             ]
-        return ",  ".join(parts).replace(",  vz", ",  projectile: vz")
+        return ",  ".join(parts).replace(",  vz", f",  {self.name_of_first}: vz")
+
+    @property
+    def name_of_first(self):
+        """What to call the first projectile."""
+        return "first projectile" if self.further_velocities else "projectile"
 
     @cached_property
     def turning_frame(self):

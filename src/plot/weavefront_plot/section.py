@@ -34,16 +34,16 @@ def ply_lines(run, fabric, step):
     return segments, run.results.ply[joined[cells]]
 
 
-def outline(run, step):
-    """The projectile's section [k, 2] as a closed convex line, or None."""
-    surface = run.results.projectile(step)
-    if surface is None:
-        return None
-    points = cut_at_impact(run.results, run.impact, surface.points, surface.quads)[0].reshape(-1, 2)
-    if len(points) < 3:
-        return None
-    around = points - points.mean(axis=0)
-    return points[np.argsort(np.arctan2(around[:, 1], around[:, 0]))]
+def outlines(run, step):
+    """The sections of the projectiles that it cuts, each [k, 2] as a closed convex line."""
+    lines = []
+    for surface in run.results.projectiles(step):
+        points = cut_at_impact(run.results, run.impact, surface.points, surface.quads)[0].reshape(-1, 2)
+        if len(points) < 3:
+            continue
+        around = points - points.mean(axis=0)
+        lines.append(points[np.argsort(np.arctan2(around[:, 1], around[:, 0]))])
+    return lines
 
 
 def plane_of(impact):
@@ -75,15 +75,15 @@ def shown_range(fabric, impact, window):
 def draw_section(run, fabric, path, frames, window=None):
     """One strip per frame, equal scales, the shot going upwards."""
     left, right = shown_range(fabric, run.impact, window or fabric.window(run.impact, frames))
-    strips = [(ply_lines(run, fabric, step), outline(run, step)) for step in frames]
-    spans = [heights(lines, body, left, right) for (lines, _), body in strips]
+    strips = [(ply_lines(run, fabric, step), outlines(run, step)) for step in frames]
+    spans = [heights(lines, bodies, left, right) for (lines, _), bodies in strips]
     figure, panels = panels_of([high - low for low, high in spans], right - left)
     distance = 1e3 * spacing(run.results.reference, fabric.quads, run.results.ply)
     width = float(np.clip(0.55 * 72 * WIDTH * distance / (right - left), 0.5, 1.6))
     tint = dict(zip(fabric.plies, tints(len(fabric.plies))))
     label, place = plane_of(run.impact)
-    for panel, step, ((lines, ply), body), span in zip(panels, frames, strips, spans):
-        if body is not None:
+    for panel, step, ((lines, ply), bodies), span in zip(panels, frames, strips, spans):
+        for body in bodies:
             panel.fill(*body.T, facecolor="#d7d9dc", edgecolor="#6d7278", lw=0.8, zorder=1)
         panel.add_collection(
             LineCollection(
@@ -144,15 +144,16 @@ def draw_key(figure, panels, plies):
     bar.ax.set_title("Ply", fontsize=8.5)
 
 
-def heights(lines, body, left, right):
-    """The range of z in a strip: the plies, the projectile as far as it is near, and room for the caption."""
+def heights(lines, bodies, left, right):
+    """The range of z in a strip: the plies, projectiles as far as they are near, and room for the caption."""
     width = right - left
     inside = lines[np.all((lines[..., 0] >= left) & (lines[..., 0] <= right), axis=1), :, 1]
     low, high = float(inside.min(initial=0.0)), float(inside.max(initial=0.0))
     high = min(high, low + TALLEST * width)
-    if body is not None and body[:, 1].min() < high + 0.125 * width:
-        low, high = min(low, max(body[:, 1].min(), low - AWAY * width)), max(
-            high, min(body[:, 1].max(), high + AWAY * width)
-        )
+    fabric_low, fabric_high = low, high
+    for body in bodies:
+        if body[:, 1].min() < fabric_high + 0.125 * width:
+            low = min(low, max(body[:, 1].min(), fabric_low - AWAY * width))
+            high = max(high, min(body[:, 1].max(), fabric_high + AWAY * width))
     low, high = low - 0.025 * width, high + (0.01 + CAPTION / WIDTH) * width
     return low, max(high, low + LOWEST * width)

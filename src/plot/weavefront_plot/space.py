@@ -1,4 +1,4 @@
-"""Plies and projectile of one frame as coloured faces in space, with one quarter taken out at the impact."""
+"""Plies and projectiles of one frame as coloured faces in space, with one quarter taken out at the impact."""
 import numpy as np
 from matplotlib.colors import to_rgb
 
@@ -15,7 +15,7 @@ DARK = 0.42  # of its colour that the cut edge of a ply keeps
 
 
 class Space:
-    """Fabric within `window` (m) of the impact along x and y, without the `opening`, and the projectile."""
+    """Fabric within `window` (m) of the impact along x and y, without the `opening`, and the projectiles."""
 
     def __init__(self, run, fabric, window, view, opening, debris):
         self.results, self.fabric, self.window, self.view, self.opening = (
@@ -88,21 +88,23 @@ class Space:
             np.concatenate([segments - half, segments[:, ::-1] + half], axis=1), DARK * colours[cells]
         )
 
-    def projectile(self, step, top):
-        """The projectile's faces in mm, or none when all of it is above `top` in mm."""
-        surface = self.results.projectile(step)
-        if surface is None or 1e3 * surface.points[:, 2].min() > top:
-            return Faces.whole(np.empty((0, 4, 3)), np.empty((0, 3)))
-        corners = surface.points[surface.quads] * 1e3
-        behind = BEHIND * np.ptp(corners[..., 0]) * self.view.axes()[2]
-        return Faces.whole(corners - behind, self.view.lit(corners, GREY, 0.85))
+    def projectiles(self, step, top):
+        """The faces of the projectiles in mm, without those that are wholly above `top` in mm."""
+        faces = Faces.whole(np.empty((0, 4, 3)), np.empty((0, 3)))
+        for surface in self.results.projectiles(step):
+            if 1e3 * surface.points[:, 2].min() > top:
+                continue
+            corners = surface.points[surface.quads] * 1e3
+            behind = BEHIND * np.ptp(corners[..., 0]) * self.view.axes()[2]
+            faces = Faces.join([faces, Faces.whole(corners - behind, self.view.lit(corners, GREY, 0.85))])
+        return faces
 
     def faces(self, step, values, norm):
-        """Plies and projectile."""
-        return Faces.join([self.plies(step, values, norm), self.projectile(step, self.top(step))])
+        """Plies and projectiles."""
+        return Faces.join([self.plies(step, values, norm), self.projectiles(step, self.top(step))])
 
     def top(self, step):
-        """Up to where the projectile is drawn, in mm: a quarter of the window above the fabric."""
+        """Up to where projectiles are drawn, in mm: a quarter of the window above the fabric."""
         heights = [
             points[self.fabric.quads[cells], 2].max(initial=0.0)
             for points, cells in self.pieces(step, self.fabric.joined(step))
@@ -110,13 +112,13 @@ class Space:
         return max(heights) + 0.25e3 * self.window
 
     def extent(self, step):
-        """Lowest and highest coordinates of joined fabric and projectile [2, 2]; None without fabric."""
+        """Lowest and highest coordinates of joined fabric and projectiles [2, 2]; None without fabric."""
         corners = [
             points[self.fabric.quads[cells]].reshape(-1, 3)
             for points, cells in self.pieces(step, self.fabric.joined(step))
         ]
         if not any(map(len, corners)):
             return None
-        corners.append(self.projectile(step, self.top(step)).corners.reshape(-1, 3))
+        corners.append(self.projectiles(step, self.top(step)).corners.reshape(-1, 3))
         seen = self.view.project(np.concatenate(corners))[:, :2]
         return np.array([seen.min(axis=0), seen.max(axis=0)])

@@ -2,6 +2,7 @@
 /// @file
 /// A forecast of the zone in which plies are in contact.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,10 +11,11 @@
 
 namespace weavefront::partition {
 
-/// A disc around the shot that grows with the transverse wave. In it plies press on each other or are near
+/// A disc around each shot that grows with the transverse wave. In it plies press on each other or are near
 /// enough to be evaluated in every step. Its radius is that of the projectile plus 0.24 c^(2/3) V^(1/3) t,
 /// where c is the fastest longitudinal wave speed of the yarns and V the speed of the projectile. Without
-/// contact between plies it does not grow.
+/// contact between plies it does not grow. Of several shots the widest and the fastest projectile make the
+/// discs of all, and all start at once.
 class ContactZone {
   public:
     explicit ContactZone(const scene::Scene& scene);
@@ -33,7 +35,7 @@ class ContactZone {
         return plies_ && distance < 2 * start_ ? 1 - distance / (4 * start_) : 0;
     }
 
-    /// Distances of the centres of all columns from the axis of the shot, m.
+    /// Distances of the centres of all columns from the axis of the nearest shot, m.
     [[nodiscard]] std::vector<double> distances(const mesh::Panel& panel) const;
 
     /// Whether there is contact between plies, so elements away from the shot have a cost of contact, too.
@@ -41,7 +43,7 @@ class ContactZone {
 
   private:
     double start_ = -1, speed_ = 0, end_ = 0;
-    std::array<double, 2> axis_{};
+    std::vector<std::array<double, 2>> axes_{{0, 0}};
     bool plies_ = false;
 };
 

@@ -78,15 +78,16 @@ io::ShotOutcome shot_outcome(const solver::Simulation& simulation) {
     return outcome;
 }
 
-/// @param last balance, without projectiles where a run has ended before its first row
+/// @param last balance; where a run has ended before its first row, it has no projectiles
 std::vector<io::ProjectileOutcome> projectile_outcomes(const solver::Simulation& simulation,
                                                        const solver::Balance& last) {
     std::vector<io::ProjectileOutcome> outcomes;
     for (std::size_t p = 0; p < simulation.shots().size(); ++p) {
         const auto found = solver::outcome_of(simulation.shots()[p]);
-        outcomes.push_back({std::string(solver::name_of(found.verdict)), found.decided_at,
-                            found.plies_perforated,
-                            p < last.projectiles.size() ? last.projectiles[p].velocity.z() : 0});
+        outcomes.push_back(
+            {std::string(solver::name_of(found.verdict)), found.decided_at, found.plies_perforated,
+             (p < last.projectiles.size() ? last.projectiles[p].velocity : simulation.projectile_velocity(p))
+                 .z()});
     }
     return outcomes;
 }

@@ -29,6 +29,7 @@ time: {end: 60 us}
 output: {interval: 5 us, history: 0.5 us}
 """
 FABRIC = "fabrics.kevlar129."
+BALL = "{shape: sphere, diameter: 6 mm, mass: 0.9 g, velocity: [0, 0, 200 m/s]}"
 CYLINDER = ["projectile.shape=cylinder"]
 FRAME = ["target.edges.x=frame", "target.frame={opening: {x: 40 mm}}"]
 
@@ -184,6 +185,11 @@ WARNINGS = [
     (
         ["projectile.diameter=120 mm", "projectile.mass=7 kg"],
         "the projectile is 120 mm across, the target 100 mm",
+    ),
+    (
+        ["projectile=", f"projectiles=[{BALL}, {BALL}]"],
+        "projectiles 1 and 2 start 3 mm inside each other, and contact between projectiles is not computed: give them "
+        "other positions, or a delay",
     ),
     (
         ["projectile.position=[48 mm, 0, -0.1 mm]"],

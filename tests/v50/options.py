@@ -8,6 +8,7 @@ from v50_runs import Limits
 
 WEAVEFRONT, MPIEXEC = sys.argv.pop(1), sys.argv.pop(1)
 
+BALL = "{shape: sphere, diameter: 6 mm, mass: 0.3 g, velocity: [0, 0, 200 m/s]}"
 REFUSED = (
     (("--from", "200"), "--from: found"),
     (("--from", "200 mm"), "--from: found"),
@@ -44,6 +45,10 @@ REFUSED = (
     (("--restart", "auto"), "holds no v50 that could go on"),
     (("--set", "projectile.velocity=[0, 0, 0]"), "projectile.velocity.2: found '0'"),
     (("--set", "fabrics.a.failure="), "found no fabric with failure"),
+    (
+        ("--set", "projectile=", "--set", f"projectiles=[{BALL}, {BALL}]"),
+        "found 2 projectiles, allowed one: a limit is that of one projectile",
+    ),
     (("--shots", "nowhere.csv"), "nowhere.csv"),
     (
         ("--scatter", "damping=uniform(1 1/s, 2 1/s)", "--seed", "1000000001"),

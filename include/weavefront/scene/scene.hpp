@@ -333,7 +333,7 @@ struct Scene {
         for (const auto& projectile : projectiles) least = std::min(least, projectile.speed());
         return least;
     }
-    /// How much later than the first one the last projectile comes, s.
+    /// Longest delay of a projectile, s.
     [[nodiscard]] double largest_delay() const {
         double largest = 0;
         for (const auto& projectile : projectiles) largest = std::max(largest, projectile.delay);
